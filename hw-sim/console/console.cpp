@@ -128,6 +128,7 @@ std::string Console::StateNow() {
   return StateJson(rig_, values_, editor_watch_, std::move(on_stage), shown_.per_s());
 }
 
+// An equal state is told again only as a sign of life.
 void Console::TellState(Time now) {
   // A state that nobody can receive now is not built: the next one will say more.
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
@@ -138,6 +139,8 @@ void Console::TellState(Time now) {
   states_.Publish(fmt::format("data: {}\n\n", state_));
 }
 
+// Who may ask at all was decided by the server's guard. Three answers are feeds that go on for as long as the
+// page listens.
 web::HttpServer::Answer Console::Answer(const Request& request) {
   if (request.method == "POST") {
     if (request.path == "/input") return AcceptInput(request.body);

@@ -13,6 +13,7 @@ bool Fills(const DialLabel& dial, const std::string& group) {
 
 }  // namespace
 
+// Which buttons and keys fill a dial is worked out once: their labels do not change while the page is open.
 DialValues::DialValues(const Labels& labels) {
   for (std::size_t n = 0; n < dials_.size(); ++n) {
     Dial& dial = dials_[n];

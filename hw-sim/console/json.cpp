@@ -24,6 +24,7 @@ Object PointerJson(const sim::Pointer& pointer) {
   return {{"x", Rounded(pointer.x())}, {"y", Rounded(pointer.y())}, {"buttons", pointer.buttons_down()}};
 }
 
+// Plugged: its cable is in. Connected: a program of the box has it open.
 Object PortsJson(const sim::Rig& rig) {
   Object ports;
   for (int port = 0; port < sim::kDevicePortCount; ++port) {

@@ -37,6 +37,7 @@ bool ReadNumber(const Json& json, const char* name, double& into) {
   return true;
 }
 
+// False: what is there is no list of texts. A list that is missing leaves `into` as it was.
 bool ReadTexts(const Json& json, const char* name, std::vector<std::string>& into) {
   if (!json.contains(name)) return true;
   if (!json[name].is_array()) return false;
@@ -53,6 +54,7 @@ bool ReadTextAlone(const Json& json, std::string& into) {
   return json.is_string();
 }
 
+// A text alone stands for a dial of that name; its other fields keep their defaults.
 bool ReadDial(const Json& json, DialLabel& into) {
   if (ReadTextAlone(json, into.text)) return true;
   return ReadText(json, "text", into.text) && ReadText(json, "unit", into.unit) &&

@@ -32,6 +32,7 @@ void DialBox::Change(Do act) {
   if (!had_news) changed_at_ = context_.clock.now();
 }
 
+// Turns that are no number, or absurdly many, are ignored: a scenario or a page may say anything.
 void DialBox::Turn(int dial, double turns) {
   if (dial < 0 || dial >= static_cast<int>(wire::kDials)) return;
   if (turns == 0 || !(std::abs(turns) <= kMostTurns)) return;
@@ -57,6 +58,7 @@ void DialBox::MakeEdges(std::size_t dial, std::int64_t counts) {
   }
 }
 
+// The lines as two encoders' contacts would have them, a quarter of a cycle apart (quadrature).
 void DialBox::LookAtDials() {
   unsigned lines = 0;
   for (std::size_t n = 0; n < dials_.size(); ++n) {
@@ -80,6 +82,7 @@ void DialBox::Release(int button) {
   SetButton(button, false);
 }
 
+// The switch chatters before it settles, so that the firmware's debouncing is tried with each push.
 void DialBox::SetButton(int button, bool down) {
   if (button < 0 || button >= static_cast<int>(wire::kDialBoxButtons)) return;
   const std::uint32_t bit = std::uint32_t{1} << button;
@@ -106,6 +109,7 @@ std::optional<Time> DialBox::next_due() const {
   return std::max(changed_at_, free_at_);
 }
 
+// As a host polls it: no sooner than a period after the report before.
 std::optional<Report> DialBox::NextReport(Time now) {
   const auto due = next_due();
   if (!due || *due > now) return std::nullopt;

@@ -17,6 +17,7 @@ Report KeyboardBytes(const wire::KeyboardReport& report) {
 
 }  // namespace
 
+// Usages of the keyboard page (HID Usage Tables, 10). One beyond the keyboard's range is ignored.
 void Keyboard::Set(std::uint8_t usage, bool down) {
   if (usage < wire::kFirstKeyUsage || usage > kLastUsage || held(usage) == down) return;
   // A key that went down in the waiting report must not go up in it: a tap would be lost.

@@ -10,6 +10,8 @@ constexpr std::size_t kMostEdges = 1024;
 
 }  // namespace
 
+// A line that stands so already gives no edge, as a real switch. Edges that nobody fetches are kept up to a
+// limit.
 void LinePanel::Set(int line, bool closed) {
   if (line < 0 || line >= kInputs) return;
   const std::uint32_t bit = 1U << static_cast<unsigned>(line);

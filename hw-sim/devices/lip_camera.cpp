@@ -75,6 +75,8 @@ std::uint32_t LipCamera::stride_bytes() const {
   return format_.pixels == ports::PixelFormat::kYuyv ? width * 2 : width;
 }
 
+// Returns the bytes of the picture, 0 where `into` is too small. Whatever the format, it is drawn as YUYV and
+// turned into the other afterwards.
 std::size_t LipCamera::Shoot(std::uint32_t sequence, std::span<std::uint8_t> into) {
   if (into.size() < frame_bytes()) return 0;
   const bool direct = format_.pixels == ports::PixelFormat::kYuyv;

@@ -150,6 +150,7 @@ std::vector<Column> Columns(const MouthPixels& mouth, int first, int end) {
 
 }  // namespace
 
+// Two pixels share their Cb and Cr (YUYV, 4:2:2), so that colours are taken between the two.
 void PaintFace(const YuyvPicture& into) {
   std::size_t at = 0;
   for (int y = 0; y < into.height_px; ++y) {
@@ -161,6 +162,7 @@ void PaintFace(const YuyvPicture& into) {
   }
 }
 
+// Paints over a face that PaintFace has painted; pixels beyond the mouth's box stay.
 void PaintMouth(const Mouth& shape, const YuyvPicture& into) {
   const MouthPixels mouth = MouthIn(shape, into);
   // An even column begins a pair; the margin is for half-covered pixels.
@@ -180,6 +182,7 @@ void PaintMouth(const Mouth& shape, const YuyvPicture& into) {
   }
 }
 
+// Deterministic: the same sequence number gives the same grain.
 void AddNoise(std::span<const std::uint8_t> from, std::uint32_t sequence, std::span<std::uint8_t> into) {
   static const auto noise = MakeNoise();
   constexpr std::size_t kChunk = 1024;

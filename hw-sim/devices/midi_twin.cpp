@@ -5,6 +5,7 @@
 namespace kaori::sim {
 namespace {
 
+// The SysEx that puts a Twister into its native mode; 00 01 79 is its maker's id.
 constexpr auto kNativeMode = std::to_array<std::uint8_t>({0xF0, 0x00, 0x01, 0x79, 0x05, 0x00, 0x01, 0xF7});
 constexpr std::uint8_t kTouchFirstButton = 8;
 

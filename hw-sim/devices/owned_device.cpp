@@ -72,6 +72,7 @@ HidDeviceName OwnedDevice::device_name() const {
   return {};
 }
 
+// A PowerMate tells a turn once, in a signed byte; a Shuttle tells a counter of eight bits, which wraps.
 void OwnedDevice::Turn(int clicks) {
   if (kind_ == OwnedKind::kPowerMate) {
     turned_ = std::clamp(clicks, -127, 127);
@@ -132,6 +133,7 @@ std::optional<Report> OwnedDevice::NextReport(Time) {
   return report;
 }
 
+// A deck's report has its number, a byte of 0, the number of its keys in 16 bits, and a byte for each key.
 Report OwnedDevice::Standing() const {
   if (kind_ == OwnedKind::kPowerMate)
     return {Byte(buttons_ & 1U), Byte(static_cast<unsigned>(turned_)), 0, 0x50, 0, 0};

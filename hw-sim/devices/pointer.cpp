@@ -68,6 +68,7 @@ void Pointer::SetButton(int button, bool down) {
   context_.Notify({DevicePort::kPointer, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
 }
 
+// Wheels report whole notches; what is left of a part waits for the next turn.
 void Pointer::Roll(double notches) {
   if (notches == 0 || !(std::abs(notches) <= kMostNotches)) return;
   unrolled_ += notches;

@@ -6,6 +6,7 @@
 namespace kaori::sim {
 namespace {
 
+// 9600 baud, and ten bits a byte with start and stop.
 constexpr Duration kByteTime = std::chrono::nanoseconds(1'000'000'000 / 960);
 // The SN-921 tests itself before it answers.
 constexpr Duration kSelfTest = std::chrono::milliseconds(300);
@@ -18,6 +19,7 @@ std::size_t LengthOf(std::uint8_t command) {
 
 }  // namespace
 
+// A fault spoils one byte, and is used up by it.
 void SerialDialBox::Say(std::initializer_list<int> bytes) {
   if (is_mute_) return;
   for (const int byte : bytes) {
@@ -92,6 +94,7 @@ bool SerialDialBox::Obey(Time now) {
   return true;
 }
 
+// Bytes queue up behind each other on the line, whenever they were said.
 std::vector<std::uint8_t> SerialDialBox::Send(Time now) {
   for (const std::uint8_t byte : said_) {
     line_free_at_ = std::max(line_free_at_, now) + kByteTime;

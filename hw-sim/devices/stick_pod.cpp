@@ -131,6 +131,7 @@ void StickPod::SetButton(int button, bool down) {
   context_.Notify({port_, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
 }
 
+// Chatters before it settles, so that the firmware's debouncing is tried with each push.
 void StickPod::Switch(std::uint32_t changed, unsigned looks) {
   for (unsigned chatter = 0; chatter < kSwitchChatters; ++chatter) {
     closed_ ^= changed;

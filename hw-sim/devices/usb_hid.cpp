@@ -60,6 +60,8 @@ UsbBytes Configuration(std::size_t report_descriptor_bytes, const HidShape& shap
 
 }  // namespace
 
+// Reads only what a USB host must be told besides the descriptor. Items are stepped over by their length; long
+// items, which no device here has, are not known.
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor) {
   HidShape shape;
   shape.is_keyboard = std::ranges::equal(
@@ -92,6 +94,7 @@ std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {
   return std::nullopt;
 }
 
+// Nothing: the request is stalled.
 std::optional<UsbBytes> UsbHid::Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) {
   const auto kind = static_cast<std::uint8_t>(setup.value >> 8);
   if (setup.type == kStandardFromInterface && setup.request == kGetDescriptor) return Descriptor(kind);

@@ -112,6 +112,7 @@ Result<void> OneRound(Scene& scene, HeldSticks& sticks, Tally& tally) {
   return {};
 }
 
+// A swap is the failure that matters: sticks that changed their sides play, and play wrongly.
 Result<void> Replugs(Scene& scene) {
   HeldSticks sticks(scene);
   const auto first = scene.target.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,

@@ -51,6 +51,8 @@ Withdrawn Withdraw(Scene& scene, const std::string& what) {
 
 }  // namespace
 
+// A failure that is the bench's own lack is a skip with its reason. After any other failure the box is switched
+// off, and the next check has a fresh one.
 ReportedCheck CheckRunner::Run(const Check& check) {
   ReportedCheck reported{check.name, check.sentence, {}};
   Finding& finding = reported.finding;
@@ -91,6 +93,7 @@ Result<void> CheckRunner::Prepare(const Check& check) {
   return {};
 }
 
+// A check that passes although what it looks for was taken away finds nothing: it fails then.
 Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
   // What the control finds is not the check's: it goes into a finding that nobody sees.
   Finding unseen;
@@ -120,6 +123,7 @@ Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
   return {};
 }
 
+// A setup that did not start once is not tried again: each try costs minutes.
 Result<void> CheckRunner::StartBox(const Setup& setup) {
   const auto before = std::ranges::find(failed_setups_, setup, &std::pair<Setup, Error>::first);
   if (before != failed_setups_.end())

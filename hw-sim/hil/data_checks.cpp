@@ -103,6 +103,8 @@ Result<void> TurnKey(Scene& scene, const Ruin& ruin) {
   return scene.ShootFace("ruined", fmt::format("After {}, mended", ruin.name));
 }
 
+// Three ways to fail: the log does not say what was found, what was kept is not there as it should be, or the
+// next start finds something again. The disk is a copy, and removed in each case.
 Result<void> WantMended(Scene& scene, const Ruin& ruin) {
   const auto disk = RuinedDisk(scene, ruin);
   if (!disk) return tl::unexpected(disk.error());

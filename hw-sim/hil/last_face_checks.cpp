@@ -112,6 +112,7 @@ void TapKey(Scene& scene, std::uint8_t usage) {
   keyboard.Release(usage);
 }
 
+// New is a mark that was not on the disk before; after the bytes the box still has to name the file.
 Result<void> AwaitNewFace(Scene& scene, const KeptDisk& disk, const std::set<std::string>& before) {
   const auto kept = [&] {
     scene.target.For(seconds(2));  // To look at the disk takes the machine's time.
@@ -207,6 +208,7 @@ Result<void> TornIsRefused(Scene& scene, const KeptDisk& disk) {
   return WantSame(*found, "the show's first face after a torn file");
 }
 
+// An evening, then its return, then a torn file: all on one copy of the disk, which is removed in each case.
 Result<void> LastFace(Scene& scene) {
   const auto disk = KeptDisk::Copy(scene.target.machine().options());
   if (!disk) return tl::unexpected(disk.error());

@@ -47,6 +47,7 @@ Result<void> WatchLips(Scene& scene) {
   return {};
 }
 
+// The tool is ended whatever it did, and its output is in the report.
 Result<void> Libcamera(Scene& scene) {
   AgentProtocol& agent = scene.target.agent();
   // The box's own lip program must let go of the camera; it comes back whatever is found here.

@@ -96,6 +96,8 @@ struct Marks {
   int missing = 0, there = 0;
 };
 
+// The status is read from its colours on the second screen: amber marks are what is missing, green ones what is
+// there.
 Result<Marks> CountStatus(Scene& scene) {
   const std::string file = scene.folder + "/status-now.png";
   if (auto ok = scene.target.machine().Shoot(1, file); !ok) return tl::unexpected(ok.error());

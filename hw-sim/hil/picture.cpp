@@ -87,6 +87,7 @@ const std::uint8_t* PixelAt(const Points& points, int column, int row, int rows)
                           static_cast<std::size_t>(x))];
 }
 
+// Colours are counted by 4 bits each, 4096 in all; brightness is that of the middle ninth, where a face is.
 PictureView Measure(const Points& points) {
   const auto& [width_px, height_px, rgb] = points;
   std::bitset<4096> seen;
@@ -124,6 +125,7 @@ std::string Describe(const PictureView& picture) {
                      picture.colours);
 }
 
+// 0 .. 1. Pictures of different sizes differ wholly.
 Result<double> ChangedPart(const std::string& file, const std::string& other_file) {
   const auto one = Read(file), other = Read(other_file);
   if (!one || !other) return tl::unexpected(one ? other.error() : one.error());
@@ -135,6 +137,7 @@ Result<double> ChangedPart(const std::string& file, const std::string& other_fil
   return static_cast<double>(differ) * 3 / static_cast<double>(one->rgb.size());
 }
 
+// 0 .. 1, over a grid of points instead of all pixels: pictures of different sizes can be compared.
 Result<double> MeanDifference(const std::string& file, const std::string& other_file) {
   const auto one = Read(file), other = Read(other_file);
   if (!one || !other) return tl::unexpected(one ? other.error() : one.error());

@@ -42,6 +42,7 @@ Result<bool> EndsByPress(Scene& scene, Duration longest) {
   return scene.target.Until([&] { return !scene.target.machine().runs(); }, longest);
 }
 
+// The key is turned off in each case, since the next check finds the bridge as it was left.
 Result<void> PowerButton(Scene& scene) {
   PlayStrategy box(scene.target);
   if (auto ok = box.Play(kPowered); !ok) return ok;

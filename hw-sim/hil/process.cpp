@@ -78,6 +78,7 @@ Duration Process::worked() const {
   return FromSeconds((user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK)));
 }
 
+// Blocks until it ended; devices stand still meanwhile. Its log is the error's text.
 Result<void> RunToEnd(const std::vector<std::string>& words, const std::string& log) {
   const pid_t number = ::fork();
   if (number < 0) return FailErrno("fork");

@@ -44,6 +44,7 @@ std::string TextOf(const std::string& path) {
 
 }  // namespace
 
+// Each step needs the one before. Where one fails, what is up stays up until Off.
 Result<void> QemuDriver::On() {
   if (setup_.bench_kernel && options_.bench_kernel.empty())
     return Fail(std::errc::not_supported, "start a kernel of the bench (none was named)");
@@ -77,6 +78,7 @@ Result<std::string> QemuDriver::Disk() {
   return CopyWithSettings(disk, setup_, options_.folder);
 }
 
+// Files of a machine before are removed first: a socket that nobody serves would be taken for the new one's.
 Result<void> QemuDriver::Start() {
   const auto of_the_image = ReadCommandLine(ImageOf(options_, setup_));
   if (!of_the_image) return tl::unexpected(of_the_image.error());

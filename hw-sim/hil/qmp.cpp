@@ -37,6 +37,7 @@ Result<std::string> Qmp::NextLine() {
   return line;
 }
 
+// One command at a time, so that answers need no number.
 Result<void> Qmp::Do(const std::string& command, json::Object arguments) {
   const json::Object asked{{"execute", command}, {"arguments", std::move(arguments)}};
   if (auto ok = stream_.Say(json::Write(asked) + "\n"); !ok) return ok;

@@ -71,6 +71,7 @@ Result<void> WriteReport(const Report& report, const std::string& folder) {
   return WriteWholeFile(folder + "/report.html", {AsBytes(AsPage(report))});
 }
 
+// Of two figures with one name the later check's stays.
 Result<void> MergeFigures(const Report& report, const std::string& path) {
   auto figures = nlohmann::json::object();
   // A file that is not there is an empty object; one that cannot be read is

@@ -40,6 +40,8 @@ struct SampledRound {
   std::map<std::string, double> values;
 };
 
+// Reads lines such as "... round arm=late missed=0.1"; other lines are passed over, and a word that is no number
+// counts as 0.
 std::vector<SampledRound> ReadRounds(const std::string& said) {
   std::vector<SampledRound> rounds;
   std::istringstream lines(said);

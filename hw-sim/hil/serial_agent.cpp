@@ -38,6 +38,7 @@ std::optional<AgentAnswer> ParseAnswer(std::string& waiting) {
   return answer;
 }
 
+// Asks again and again: until the agent runs, the guest's kernel has the line and answers nothing.
 Result<void> SerialAgentDriver::Find(Duration longest) {
   auto stream = Stream::Call(path_, waiter_, longest);
   if (!stream) return tl::unexpected(stream.error());

@@ -52,6 +52,8 @@ double HeardVoice(Scene& scene) {
   return heard ? sim::Likeness(sim::SayVowels(seconds(kVoiceSeconds)), *heard) : 0;
 }
 
+// By tools of ALSA in the guest, and by a recording of what QEMU's card was given: a card that only pretends to
+// play is found.
 Result<void> Sound(Scene& scene) {
   const auto cards = CardsOf(scene, "HDA-Intel");  // As QemuCommand has them: loudspeaker, microphone.
   if (cards.size() < 2) return scene.Skip("the kernel does not show both sound cards");

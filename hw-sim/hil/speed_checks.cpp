@@ -48,6 +48,7 @@ void AddShares(Scene& scene, const std::string& when) {
   scene.finding.texts.emplace_back("the processors' time " + when, told ? *told : told.error().message());
 }
 
+// The best of some windows counts, since a slower one says more about the neighbours than about the box.
 Result<void> Virgl(Scene& scene) {
   const auto warm = [](const BoardView& board) { return board.stage.frames >= kWarm; };
   if (auto ok = scene.target.UntilBoard(warm, kLongestWarm, "see its first frames"); !ok)

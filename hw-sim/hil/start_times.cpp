@@ -19,6 +19,7 @@ bool ShowsAnyPicture(Target& target, const std::string& shot) {
   return picture && picture->colours >= kColoursOfAPicture;
 }
 
+// Times are those of this computer's clock, from `began`, and as coarse as the looks at screen and log.
 Result<StartTimes> AwaitStart(Target& target, Time began, const std::string& shot) {
   StartTimes times;
   while (target.clock().now() - began < kLongestFirstFace && target.machine().runs()) {

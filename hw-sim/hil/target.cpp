@@ -52,6 +52,7 @@ Result<std::unique_ptr<Target>> Target::Open(QemuOptions options, const Clock& c
   return std::unique_ptr<Target>(new Target(std::move(options), std::move(*rig), clock));
 }
 
+// Here the bench waits for its machine: devices, operator and the condition have their turns while it does.
 bool Target::Until(const std::function<bool()>& done, Duration longest, int fd) {
   const Time until = clock_.now() + longest;
   const auto wake_at = [&](Time now) {

@@ -37,6 +37,7 @@ Result<VncScreen> VncScreen::Connect(const std::string& path, Waiter& waiter) {
   return screen;
 }
 
+// Exactly so many bytes; what comes behind them stays for the next call.
 Result<std::string> VncScreen::Next(std::size_t bytes) {
   bool there = true;
   const auto whole = [&] {

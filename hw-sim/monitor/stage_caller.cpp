@@ -42,6 +42,7 @@ std::optional<std::uint32_t> SubjectOf(const Form& form, std::string_view word) 
   return board::CueKey(word);
 }
 
+// Too many words are refused as too few are: a call is done on a stage, and not guessed.
 Result<board::Call> ReadCall(std::string_view line) {
   const std::vector<std::string_view> words = WordsOf(line);
   const std::string quoted = "\"" + std::string(line) + "\"";

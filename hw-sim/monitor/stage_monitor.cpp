@@ -11,6 +11,7 @@ constexpr Duration kSilence = std::chrono::seconds(2);
 
 }  // namespace
 
+// Nothing: no stage writes the board. It is looked for once in a period, since each look opens a file.
 std::optional<StageMonitor::Now> StageMonitor::Look() {
   const Time now = clock_.now();
   if (board_) {

@@ -72,6 +72,7 @@ Ffmpeg::~Ffmpeg() {
   [[maybe_unused]] const auto done = Finish();
 }
 
+// Blocks while ffmpeg works: the pipe's buffer is all that it may lag behind.
 Result<void> Ffmpeg::Write(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(pipe_.get(), bytes.data(), bytes.size());

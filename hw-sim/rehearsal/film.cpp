@@ -45,6 +45,7 @@ std::vector<std::string> Arguments(const FilmOptions& o) {
 
 }  // namespace
 
+// Sides must be even since the film's chroma is halved both ways (4:2:0).
 Result<Film> Film::Start(const FilmOptions& options) {
   if (options.width_px < 2 || options.height_px < 2 || options.width_px % 2 != 0 ||
       options.height_px % 2 != 0)

@@ -110,6 +110,8 @@ Result<void> Rehearsal::Settle() {
   return {};
 }
 
+// Ticks the simulated clock until the screen has flipped; a stage that never draws is given up after kPatience
+// ticks.
 Result<Shown> Rehearsal::NextPicture(const Input& input) {
   const auto before = rig_->screen().frames_shown();
   for (int i = 0; i < kPatience; ++i) {

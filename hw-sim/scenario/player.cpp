@@ -48,6 +48,8 @@ void Player::Restart(Time start) {
   motions_.clear();
 }
 
+// Whatever the steps of `now`, the same actions are done in the same order; only the points between which slow
+// ones move differ.
 void Player::Perform(Time now) {
   const Duration to = now - start_;
   if (to < Duration::zero()) return;
@@ -82,6 +84,8 @@ void Player::MoveAll(Duration to) {
   std::erase_if(motions_, [to](const Motion& m) { return to >= m.timed->at + m.timed->over; });
 }
 
+// From where the control stood when the action began, eased at both ends. The last step lands on the target
+// itself.
 void Player::Move(Motion& motion, Duration to) {
   const TimedAction& timed = *motion.timed;
   const bool arrived = to >= timed.at + timed.over;

@@ -101,6 +101,7 @@ class Script {
 
 }  // namespace
 
+// Goes on behind a line with a fault, so that one reading tells all faults, up to a limit.
 Reading ReadScenario(std::string_view text) {
   Script script;
   int number = 1;

@@ -101,6 +101,7 @@ std::optional<double> Tokenizer::Number(std::string_view expected, double low, d
   return std::nullopt;
 }
 
+// From 1, as people count; whoever asks takes 1 off.
 std::optional<int> Tokenizer::Numbered(std::string_view thing, int last) {
   const auto token = Next(fmt::format("the number of a {}", thing));
   if (!token) return std::nullopt;
@@ -110,6 +111,7 @@ std::optional<int> Tokenizer::Numbered(std::string_view thing, int last) {
   return std::nullopt;
 }
 
+// A time without a unit is refused, since nobody could tell what was meant.
 std::optional<Duration> Tokenizer::TimeSpan() {
   const auto token = Next("a time such as 2.5s or 800ms");
   if (!token) return std::nullopt;

@@ -105,6 +105,7 @@ std::string WriteBeat(const Beat& beat) {
   return fmt::format("at {} scene \"{}\"", Span(beat.at), beat.name);
 }
 
+// Beats behind the last action come at the end.
 std::string WriteScenario(const Scenario& scenario) {
   std::string text;
   auto beat = scenario.beats.begin();

@@ -34,6 +34,7 @@ float MeanAt(const SparseRows& rows, std::size_t row, std::span<const float> val
 
 }  // namespace
 
+// Works out every pair of a face and an expression, so that a frame only adds them up.
 Composites::Composites(const Cast& cast)
     : faces_(cast.faces.size()),
       expressions_(cast.expressions.size()),

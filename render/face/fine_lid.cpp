@@ -49,6 +49,7 @@ std::vector<float> RingsOfFine(const LidRig& rig, const SparseRows& rows) {
 
 }  // namespace
 
+// A topology without lids (`rings` 0) gives an object that smooths nothing.
 FineLid::FineLid(const LidRig& rig, const FineMesh& mesh) {
   if (rig.rings == 0) return;
   const auto ring_of = RingsOfFine(rig, mesh.attributes_from_cage);

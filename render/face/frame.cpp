@@ -106,6 +106,8 @@ std::vector<glm::vec3> Carry(const Expression& expression, std::span<const Frame
   return moved;
 }
 
+// An expression's displacements are stored in the frame of the skin, along u, along v and outwards, so that they
+// fit a face of another shape: each frame turns them into that face's own directions. Metres before and after.
 void Carry(const Expression& expression, std::span<const Frame> frames, float gain,
            std::span<glm::vec3> moved) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -126,6 +128,8 @@ std::vector<glm::mat3> Turns(std::span<const Frame> reference, std::span<const F
   return turns;
 }
 
+// What the control net cannot say of an expression is added vertex by vertex, turned as the points about it
+// turned.
 void AddResidual(const ControlNet& net, const Expression& expression, std::span<const glm::mat3> turns,
                  float gain, std::span<glm::vec3> moved) {
   for (std::size_t row = 0; row < expression.residual.size(); ++row) {

@@ -32,6 +32,7 @@ std::array<EyeBall, 2> MixEyes(std::span<const Face> faces, const Weights& weigh
   return mixed;
 }
 
+// Faces sum to 1, so that the sum is a mean; the iris's colour is mixed in linear light, as all paint here.
 EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights) {
   EyeLook mixed;
   for (const Term& t : weights.faces) {
@@ -44,6 +45,7 @@ EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights) {
   return mixed;
 }
 
+// An EyeSurface of its own begins as an eye that is seen, and so each value is set to 0 before the sum.
 EyeSurface MixEyeSurface(std::span<const Face> faces, const Weights& weights) {
   EyeSurface mixed{{}, 0, 0, 0, 0, 0, 0, 0};
   for (const Term& t : weights.faces) {

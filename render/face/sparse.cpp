@@ -19,6 +19,7 @@ void ApplyToVertices(const SparseRows& rows, const float* in, float* out) {
   }
 }
 
+// Reads columns without looking: the rows were checked when the cast was (Faults::Rows).
 void ApplyToValues(const SparseRows& rows, const float* in, float* out) {
   for (std::size_t row = 0; row < rows.rows(); ++row) {
     float sum = 0;

@@ -50,6 +50,7 @@ void Terms::Push(std::uint16_t index, float weight) {
   if (std::abs(lightest->weight) < std::abs(weight)) *lightest = {index, weight};
 }
 
+// A linear search: a blend has a few terms, and they keep the order in which they came.
 void Terms::Add(std::uint16_t index, float weight) {
   const auto end = terms_.begin() + size_;
   const auto term = std::find_if(terms_.begin(), end, [index](const Term& t) { return t.index == index; });

@@ -71,6 +71,7 @@ EGLContext NewContext(EGLDisplay display, EGLConfig config, bool debug) {
 }
 
 #ifndef NDEBUG
+// Builds without NDEBUG ask the driver for its messages.
 constexpr bool kDebug = true;
 #else
 constexpr bool kDebug = false;

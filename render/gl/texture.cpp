@@ -15,6 +15,7 @@ struct Format {
   GLenum internal, format, type;
 };
 
+// Internal format, format and type as GLES 3.0 pairs them (table 3.2).
 Format FormatOf(Texels texels) {
   switch (texels) {
     case Texels::kSrgb8:

@@ -32,6 +32,7 @@ Window::Window(Window&& other) noexcept {
   *this = std::move(other);
 }
 
+// Swaps: what this one had is destroyed with `other`.
 Window& Window::operator=(Window&& other) noexcept {
   std::swap(display_, other.display_);
   std::swap(context_, other.context_);

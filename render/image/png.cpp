@@ -60,6 +60,7 @@ Result<void> WritePng(const std::filesystem::path& file, const Picture& picture)
   return {};
 }
 
+// The buffer has libpng's upper bound for such a picture and is cut afterwards, so that it is encoded once.
 Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture) {
   png_image image = Described(picture);
   // Packed faster into a somewhat larger file: contact sheets have many megapixels.

@@ -83,6 +83,8 @@ void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
   }
 }
 
+// `place` counts the garments of this face alone, in the order in which it wears them: garments of several faces
+// in the same place have one mixed paint.
 void ClothesPass::DrawWorn(const Appearance& appearance, const Variant& variant, const Dressing& dressing,
                            std::size_t face) {
   std::size_t place = 0;

@@ -48,6 +48,8 @@ Necks::Necks(const face::Cast& cast) {
   }
 }
 
+// The neck's end is the lowest row of vertices in the parameter space; its middle is their mean, and its radius
+// the farthest of them to a side. Without such vertices it stays at 0.
 void Necks::MeasureEnd(const face::Topology& topology, const face::Face& face, Neck& neck) {
   const auto lowest = std::ranges::min_element(topology.uv, {}, [](const glm::vec2& uv) { return uv.y; });
   if (lowest == topology.uv.end()) return;
@@ -60,6 +62,9 @@ void Necks::MeasureEnd(const face::Topology& topology, const face::Face& face, N
     neck.end_radius_m = std::max(neck.end_radius_m, std::abs(p.x - neck.end_m.x));
 }
 
+// The collar is the highest point of all clothes of the face, and far below everything where it wears none. The
+// neck's half width is taken a little below the collar, without what lies further forward than the neck, such as
+// a chin.
 void Necks::MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& neck) {
   neck.collar_m = -1e9F;
   for (const int index : face.props) {

@@ -35,6 +35,7 @@ struct HairOf {
   glm::vec3 colour{};
   float lowest_m = 1e9F;
 };
+// The first soft mesh's colour stands for all of them. Without soft hair the lowest tip is far above everything.
 HairOf SoftHairOf(const Appearance& appearance, std::size_t face) {
   HairOf hair;
   for (const int index : appearance.worn_by(face)) {
@@ -63,6 +64,10 @@ face::Terms LongestFirst(const Appearance& appearance, const face::Terms& faces)
 
 }  // namespace
 
+// Two passes over the faces. The first finds how much of the blend has soft hair at all, and its mean colour; the
+// second gives each face its part [from, to) of the order from crown to tips, as large as its weight among those
+// with hair. The last part ends at 2, so that no strand falls out at the border by rounding. A face that is whole
+// needs no motion.
 void Hairdo::Comb(const Appearance& appearance, const HeadFit& fit, const face::Terms& faces, float share) {
   const auto is_soft = [](const PropMesh& prop) { return !prop.hard; };
   const auto is_any = [](const PropMesh&) { return true; };
@@ -96,6 +101,7 @@ void Hairdo::Comb(const Appearance& appearance, const HeadFit& fit, const face::
   }
 }
 
+// A uniform that a variant does not use is dropped by the compiler; its -1 is accepted by each Set.
 Result<HairPass::Variant> HairPass::MakeVariant(std::string defines) {
   auto program = MakeProgram("hair.vert", "hair.frag", std::move(defines));
   if (!program) return tl::unexpected(program.error());
@@ -128,6 +134,7 @@ void HairPass::Draw(const Appearance& appearance, const Hairdo& hairdo, const Fr
   for (const WornHair& worn : hairdo.worn()) DrawWorn(appearance, worn, span_px);
 }
 
+// Hard things do not shorten: they thin out by their face's presence, and are drawn also where hair has gone.
 void HairPass::DrawWorn(const Appearance& appearance, const WornHair& worn, glm::vec2 span_px) const {
   const Variant& variant = worn.whole ? whole_ : growing_;
   gl::Apply({.blend = worn.whole ? gl::Blend::kReplace : gl::Blend::kCoverage});

@@ -24,6 +24,8 @@ constexpr float kLowest_m = -0.02F;
 // Keeps a fit sane where a cast has few such vertices.
 constexpr double kRidge = 1e-3;
 
+// In the order of HeadFit::kTerms. Decimetres keep all terms near 1, and the sums of their products well
+// conditioned.
 Basis BasisAt(glm::vec3 p) {
   const glm::dvec3 q = glm::dvec3(p - HeadFit::kMiddle_m) * 10.0;
   const glm::dvec3 qq = q * q;
@@ -32,6 +34,7 @@ Basis BasisAt(glm::vec3 p) {
           qq.y * q.y, qq.y * q.z, qq.z * q.x, qq.z * q.y, qq.z * q.z, q.x * q.y * q.z};
 }
 
+// In the parameter space u = 0.5 is the middle of the face, and v grows upwards.
 std::vector<std::size_t> ScalpOf(const face::Topology& topology) {
   std::vector<std::size_t> scalp;
   for (std::size_t i = 0; i < topology.uv.size(); ++i) {
@@ -52,6 +55,7 @@ void Factor(Matrix& m) {
   }
 }
 
+// Forwards with L, then backwards with its transpose; `b` becomes the solution.
 void Solve(const Matrix& factor, Basis& b) {
   for (std::size_t i = 0; i < kTerms; ++i) {
     for (std::size_t k = 0; k < i; ++k) b[i] -= factor[i][k] * b[k];
@@ -63,6 +67,8 @@ void Solve(const Matrix& factor, Basis& b) {
   }
 }
 
+// The normal equations' left side, the same for all three axes and for each target: factored once for a face.
+// Only the lower triangle is summed, since Factor reads no other part.
 Matrix FactorOver(const std::vector<Basis>& bases) {
   Matrix m{};
   for (std::size_t i = 0; i < kTerms; ++i) m[i][i] = kRidge;
@@ -75,6 +81,8 @@ Matrix FactorOver(const std::vector<Basis>& bases) {
   return m;
 }
 
+// Every layer over a vertex moves as the vertex does. Sums are in double precision, since they run over all
+// points of the scalp.
 HeadFit::Motion MotionBetween(const std::vector<std::size_t>& scalp, const std::vector<Basis>& bases,
                               const Matrix& factor, const face::Face& from, const face::Face& to) {
   std::array<Basis, 3> sums{};
@@ -106,6 +114,7 @@ HeadFit::HeadFit(const face::Cast& cast) : faces_(cast.faces.size()) {
   }
 }
 
+// Motions are linear in their coefficients, so that the mean motion is the mean of the coefficients.
 HeadFit::Motion HeadFit::To(const face::Terms& faces, std::size_t face) const {
   Motion sum{};
   for (const face::Term& term : faces) {
@@ -115,6 +124,8 @@ HeadFit::Motion HeadFit::To(const face::Terms& faces, std::size_t face) const {
   return sum;
 }
 
+// Looks at seven points about a head: above, at both sides, behind, before, and where long hair ends. An estimate
+// for the margin of what is redrawn, and no bound.
 float HeadFit::Reach_m(const Motion& motion) {
   constexpr std::array<glm::vec3, 7> kAbout{{{0, 0.13F, 0},
                                              {0.1F, 0.03F, 0},

@@ -75,6 +75,7 @@ gl::Mesh Surface::Arrays::Join(const gl::Buffer& uv, std::span<const face::Trian
                   Flatten(triangles));
 }
 
+// What is left of the skin under clothes shares the positions of the whole skin, and has indices of its own.
 Surface::Surface(const face::Cast& cast, std::span<const Triangles> worn)
     : fine_uv_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.fine.texture))),
       cage_uv_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.texture))),

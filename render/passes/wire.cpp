@@ -27,6 +27,8 @@ constexpr float kEyeBrightness = 2.6F;
 constexpr float kFadedBelow = 0.01F;
 constexpr float kSeenAbove = 0.15F;
 
+// From the height in texture coordinates: 0 where the neck ends, 1 above it. Vertices without such coordinates do
+// not fade.
 std::vector<float> FadesOf(const face::Topology& topology) {
   std::vector<float> fades;
   for (const glm::vec2& place : topology.texture) {
@@ -72,6 +74,7 @@ std::vector<RibbonCorner> RibbonCorners(const face::Topology& topology) {
   return corners;
 }
 
+// Two triangles for each ribbon of four corners, with the diagonal from its corner 0 to its corner 3.
 std::vector<std::uint32_t> RibbonIndices(std::size_t ribbons) {
   std::vector<std::uint32_t> indices;
   for (std::uint32_t r = 0; r < ribbons; ++r) {
@@ -151,6 +154,7 @@ glm::vec3 WirePass::Paint(const face::Terms& faces) const {
   return paint;
 }
 
+// The body is pushed back a little in depth, or it would cover the lines that lie on it.
 void WirePass::Draw(const Surface& surface, const face::Shape& shape,
                     const std::array<scene::Gaze, 2>& gaze) {
   WritePoints(shape, gaze);

@@ -43,6 +43,7 @@ View::View(const Scene& scene, glm::vec3 pivot_m, float aspect)
       view_(ViewOf(scene.camera)),
       projection_(ProjectionOf(scene.camera, aspect)) {}
 
+// The head turns about the pivot and is shifted afterwards, along the axes of the world.
 glm::vec3 View::Turned(glm::vec3 point_m) const {
   return turn_ * (point_m - pivot_m_) + pivot_m_ + shift_m_;
 }

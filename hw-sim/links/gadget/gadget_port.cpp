@@ -33,6 +33,7 @@ Result<void> GadgetPort::Plug() {
   return {};
 }
 
+// The kernel's hidg file of the function, which is there once the gadget is bound.
 Result<void> GadgetPort::OpenFile() {
   const auto path = gadget_.DeviceFile();
   if (!path) return tl::unexpected(path.error());

@@ -43,6 +43,7 @@ std::string Hex(std::uint16_t value) {
 
 }  // namespace
 
+// A folder that an earlier simulator left is used again. Errors are those of configfs, by its file.
 Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, const HidDeviceName& identity) {
   const std::string path = room.gadgets + "/" + name;
   // The kernel makes the files of a folder as it is made, in this order: the gadget, its

@@ -23,6 +23,7 @@ void LinesPort::Handle(std::span<const std::uint8_t> packet) {
   panel_.Drive(static_cast<int>(drive->line), drive->active != 0);
 }
 
+// An edge that did not fit stays first in the queue: edges never overtake each other.
 void LinesPort::SendDue(Time) {
   if (!unsent_) unsent_ = panel_.NextEdge();
   while (unsent_) {

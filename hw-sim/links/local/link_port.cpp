@@ -45,6 +45,7 @@ void LinkPort::Pump(Time now) {
   if (connected()) SendDue(now);
 }
 
+// The newest caller has the device; the one before is hung up on.
 void LinkPort::Accept() {
   for (int n = 0; n < kCallsAtOnce; ++n) {
     auto newcomer = AcceptPeer(listener_.get());
@@ -58,6 +59,7 @@ void LinkPort::Accept() {
   }
 }
 
+// Bounded, so that a driver that floods does not hold up the other devices.
 void LinkPort::Receive() {
   std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
   for (int n = 0; n < kPacketsAtOnce && connected(); ++n) {

@@ -53,6 +53,7 @@ void ScreenPort::SendDue(Time now) {
   last_blank_ = blank;
 }
 
+// The time is that of the blank, and not of this call: a driver paces by it.
 void ScreenPort::Flip(const wire::ScreenPresent& present, Time at) {
   const std::size_t bytes = PictureBytes(greeted_);
   screen_.Show({present.frame, at, greeted_.width_px, greeted_.height_px,

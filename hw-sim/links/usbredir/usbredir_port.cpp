@@ -36,6 +36,8 @@ void UsbredirPort::Unplug() {
   device_->PowerCycle();
 }
 
+// The order matters: what the machine asked is read before devices say what is due, and all of it is written
+// before the machine is waited for again.
 void UsbredirPort::Pump(Time now) {
   if (!connected() && plugged_ && now >= call_at_) Call(now);
   if (!connected()) return;
