@@ -36,6 +36,7 @@ inline constexpr std::uint32_t kCallGo = 0;  // The subject of GO: writers know 
 enum class CallSource : std::uint32_t { kFootSwitch, kPage };
 inline constexpr std::uint32_t kCallSourceCount = 2;
 
+// One call. valid.h bounds everything but the subject, which only the show can judge.
 struct Call {
   Time at{};  // When the person called, which may be before it was written.
   CallVerb verb{};

@@ -8,6 +8,8 @@
 
 namespace kaori::board {
 
+// HID Usage Tables 1.12, section 10. Names are those of a US keyboard, and mean the place and
+// not what is printed there.
 namespace key {
 inline constexpr std::uint8_t kA = 0x04, kC = 0x06, kH = 0x0B, kM = 0x10, kN = 0x11, kP = 0x13, kS = 0x16,
                               kX = 0x1B, kY = 0x1C, kZ = 0x1D, k1 = 0x1E, k0 = 0x27, kEnter = 0x28,

@@ -21,6 +21,8 @@ enum CueState : std::uint32_t {
 enum class LevelOwner : std::uint32_t { kNobody, kCue, kRemote, kRole, kLips, kVoice };
 inline constexpr std::uint32_t kLevelOwnerCount = 6;
 
+// One level in one frame. `role` says something only where kRole is the owner, and lies below
+// kMostRoles all the same.
 struct LevelShown {
   float value = 0;  // In the level's own unit (show::LevelInfo).
   LevelOwner owner{};

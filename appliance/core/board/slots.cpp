@@ -48,6 +48,7 @@ void Publish(Word* section, std::span<const std::uint32_t> value) {
   section[kNewest].store(generation, std::memory_order_release);
 }
 
+// The head is read anew in each try: an age counts from what is newest at that moment.
 bool Fetch(const Word* section, std::uint32_t age, std::span<std::uint32_t> value) {
   for (int i = 0; i < kTries; ++i) {
     const std::uint32_t newest = section[kNewest].load(std::memory_order_acquire);

@@ -10,12 +10,16 @@ namespace {
 // or a loop run for ever, not to judge a measurement.
 constexpr std::int32_t kMaxCountsPerTurn = 1 << 20;  // The finest optical dials have a tenth of it.
 constexpr float kMaxLip = 8.0F;                      // Mouth widths; no mouth opens so far.
+// Of numbers without a bound of their own: what a call or a level says, frames a second, seconds until a cue.
 constexpr float kMaxFigure = 1e9F;
 constexpr Duration kLongestSpan = std::chrono::hours(24 * 365);
 constexpr float kMostLevel_db = 100;
 constexpr float kMostDelay_ms = 2000;  // The box delays by 500 ms; a sound card adds its own.
+// A tenth; the crystals of sound cards differ by tens of ppm.
 constexpr float kMostDrift_ppm = 1e5F;
+// More than a day. A show's motions last ten minutes at most (show::kLongestMotion_s).
 constexpr float kLongestMotion_s = 1e5F;
+// Six digits, and the seconds of a day.
 constexpr std::uint32_t kMostCode = 999'999;
 constexpr float kLongestCode_s = 86'400;
 
@@ -83,15 +87,18 @@ bool Valid(const Sound& sound) {
          sound.automatic <= 1 && Within(sound.drift_ppm, -kMostDrift_ppm, kMostDrift_ppm);
 }
 
+// -1: none plays. How many motions there are is for who knows the show.
 bool Valid(const MotionNow& motion) {
   return motion.motion >= -1 && Within(motion.at_s, 0, kLongestMotion_s);
 }
 
+// Flags are words of 0 or 1; steps are those that sections.h lists.
 bool Valid(const LipsGuide& guide) {
   return guide.step <= 4 && guide.taking <= 1 && Within(guide.progress, 0, 1) && guide.seen <= 1 &&
          guide.captions <= 1;
 }
 
+// Any word can be an address, and any four bytes begin a certificate's sum.
 bool Valid(const Desk& desk) {
   return desk.code <= kMostCode && Within(desk.valid_s, 0, kLongestCode_s) && desk.port <= 65535 &&
          desk.secure <= 1;
@@ -110,6 +117,7 @@ bool Valid(const StageStatus& status) {
          Valid(status.flipped_at) && Valid(status.sampled_at) && Within(status.frames_per_s, 0, kMaxFigure);
 }
 
+// Roles are indices into role_devices. Cues and devices are for who knows the show.
 bool Valid(const ShowNow& show) {
   return Within(show.cue_left_s, 0, kMaxFigure) &&
          std::ranges::all_of(show.levels, [](const LevelShown& level) {
@@ -119,6 +127,7 @@ bool Valid(const ShowNow& show) {
          });
 }
 
+// Of the bytes themselves performance::IsValid judges, when a stage takes them up.
 bool Valid(const Performance& performance) {
   return performance.bytes <= Performance::kCapacityBytes;
 }

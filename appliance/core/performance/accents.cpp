@@ -8,11 +8,16 @@
 namespace kaori::performance {
 namespace {
 
+// The voice's level is remembered in steps of this length, eleven of them: the newest and the oldest are a
+// tenth of a second apart.
 constexpr float kStep_s = 0.01F;
 // What lies below is the room and not the voice: the first word after a pause rises from here.
 constexpr float kFloor_db = -60;
+// A rise by the first within a tenth of a second is an accent; one by the second raises the
+// brows as far as any does.
 constexpr float kRise_db = 6, kGreatRise_db = 18;
 constexpr float kSmallBrow = 0.15F, kGreatBrow = 0.35F;
+// From the beginning of an accent until the brows are down again, and until they are highest.
 constexpr float kBrow_s = 0.3F, kBrowUp_s = 0.1F;
 constexpr float kBetweenAccents_s = 0.8F;
 constexpr float kNod_rad = 3 * show::kDegree;
@@ -41,6 +46,7 @@ float Rise_db(const AccentLife& life) {
   return life.levels_db.front() - life.levels_db.back();
 }
 
+// Moves a clock on. It stops at kLongSince_s, which IsValidLife asks for.
 void Count(float& clock_s, float dt_s) {
   clock_s = std::min(kLongSince_s, clock_s + dt_s);
 }
@@ -62,6 +68,8 @@ bool PhraseEnds(AccentLife& life, bool speaks, float dt_s) {
 
 }  // namespace
 
+// A microphone that is gone counts as silence, which ends the phrase that it was in. How far the brows go is
+// decided where the accent begins: a voice that rises further meanwhile does not lift them more.
 Accent Accentuate(AccentLife& life, const board::Stamped<board::Voice>& voice, float dt_s) {
   const bool live = voice.source == board::SourceState::kLive;
   const bool speaks = live && voice.value.speaking != 0;

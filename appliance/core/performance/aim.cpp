@@ -10,12 +10,15 @@
 namespace kaori::performance {
 namespace {
 
+// Left and right, 63 mm apart, in the cast's frame: x to the character's left, z to the audience.
 constexpr std::array<glm::vec3, 2> kUsualEyes_m{{{0.0315F, 0, 0.052F}, {-0.0315F, 0, 0.052F}}};
 // Balls nearer to each other are none.
 constexpr float kLeastApart_m = 0.02F;
 
 }  // namespace
 
+// atan2 gives 0 where both of its arguments are 0: a point in the eye itself is straight
+// ahead, and nothing is divided.
 glm::vec2 AnglesOf(glm::vec3 direction) {
   return {std::atan2(direction.x, direction.z),
           std::atan2(direction.y, std::hypot(direction.x, direction.z))};
@@ -26,6 +29,7 @@ glm::vec3 DirectionOf(glm::vec2 angles_rad) {
   return {std::sin(angles_rad.x) * level, std::sin(angles_rad.y), std::cos(angles_rad.x) * level};
 }
 
+// Faces that a toggle keeps count as they do in the picture, so that she looks from where her eyes are seen.
 std::array<glm::vec3, 2> EyesAtRest(const State& state, const show::Show& show) {
   face::Weights weights;
   weights.faces =
@@ -35,6 +39,7 @@ std::array<glm::vec3, 2> EyesAtRest(const State& state, const show::Show& show) 
   return {balls[0].centre, balls[1].centre};
 }
 
+// The head turns about the neck and is shifted afterwards, as scene.h has it: the turn does not turn the shift.
 HeadPose::HeadPose(const scene::Head& head, const std::array<glm::vec3, 2>& eyes_m, glm::vec3 pivot_m)
     : turn_(scene::TurnOf(head)), eyes_m_{} {
   for (std::size_t eye = 0; eye < 2; ++eye)

@@ -131,6 +131,8 @@ void HangBackdrops(const Mixture& backdrops, const show::Show& show, scene::Scen
 
 }  // namespace
 
+// Nothing was before the first scene: mixtures that begin with nothing give the called item all,
+// wherever its dial stands.
 State Opening(const show::Show& show, const board::Snapshot& board, Time presented_at) {
   State state;
   state.last = presented_at;
@@ -143,6 +145,8 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time present
   return state;
 }
 
+// The order counts: life needs what motions do in this frame, and Weigh needs the blinks that life begins. Hair
+// swings last, behind the head as all of these have turned it.
 Performed Animate(const State& previous, const board::Snapshot& board, const InputEvents& events,
                   const show::Show& show, Time presented_at) {
   Performed performed{previous, {}, 0};

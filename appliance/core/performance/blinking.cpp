@@ -13,6 +13,7 @@ constexpr float kDoubles = 0.1F;
 // From the beginning of a blink to that of its double: the lids have just been open again.
 constexpr float kDoubleFrom_s = 0.30F, kDoubleTo_s = 0.42F;
 // Two that begin nearer than this, by chance, would be a flutter.
+// In mean intervals, as BlinkLife::to_next counts: nearly half a second at the rate of rest.
 constexpr float kShortestInterval = 0.12F;
 constexpr float kRests_s = 0.6F;  // Nor does a look bring one so soon after another.
 
@@ -21,6 +22,7 @@ void Begin(State& state, float ago_s, float dt_s) {
   for (float& since_s : state.blink_s) since_s = BlinkFrom(since_s) + ago_s - dt_s;
 }
 
+// In mean intervals. The upper bound keeps to_next below kLongSince_s, which IsValidLife asks for.
 float NextInterval(RandomStream& random) {
   return std::clamp(LogNormal(random, 1, kIntervalSpread), kShortestInterval, 5.0F);
 }
@@ -28,6 +30,8 @@ float NextInterval(RandomStream& random) {
 }  // namespace
 
 // The rate counts all blinks: of eleven, one is the second of a double.
+// Chance is drawn before it is asked whether lids are held, so that a wink does not
+// change the blinks behind it.
 void Blink(State& state, float per_min, bool held, float dt_s) {
   BlinkLife& life = state.life.blinks;
   if (per_min <= 0) life.to_second_s = -1;

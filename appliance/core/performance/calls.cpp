@@ -13,6 +13,7 @@ namespace {
 
 namespace key = board::key;
 
+// kaori-input knows no show, and makes GO of a foot switch by this number alone.
 static_assert(static_cast<std::uint32_t>(show::CueVerb::kGo) == board::kCallGo);
 
 // A fresh call takes over whole, whatever its dial said about the one before. The mixture keeps the old
@@ -77,6 +78,8 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show) {
     if (show.scenes[i].key_usage == usage) CallScene(state, show, static_cast<std::uint16_t>(i));
 }
 
+// The code of a key is its usage; that of a button is its number, which calls what the
+// sheet that is there says.
 void Handle(State& state, const Press& press, const show::Show& show) {
   if (press.IsKey())
     Struck(state, press.code, show);
@@ -92,6 +95,7 @@ std::int32_t CueOf(const show::Show& show, std::uint32_t number_key) {
   return cue == cues.end() ? -1 : static_cast<std::int32_t>(cue - cues.begin());
 }
 
+// A verb needs no cue; the two other calls name one by its key. False: the show has no such verb or cue.
 bool HandleCueCall(State& state, const board::Call& call, const show::Show& show) {
   if (call.verb == board::CallVerb::kCue) {
     if (call.subject >= static_cast<std::uint32_t>(show::kCueVerbCount)) return false;
@@ -154,6 +158,8 @@ void PlayMotion(State& state, std::int32_t motion) {
   if (free != state.voices.end()) *free = {motion, 0, 1};
 }
 
+// All that fades in a scene does so in one time and one curve. Fades of their own (ItemFade) are for what
+// a person calls by itself.
 void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {
   const show::StageScene& scene = show.scenes[index];
   CallFace(state, scene.face, fade_s);

@@ -56,6 +56,7 @@ float Controls::TurnedBy(const Run& run, const show::RoleMap& map) const {
   return static_cast<float>(events_.turned[map.dial]) / per_turn * (map.to - map.from);
 }
 
+// Only sticks are asked: a dial has no way that must have been seen before its movements count.
 bool Controls::IsLive(std::uint8_t role) const {
   const std::uint8_t device = state_.role_devices[role];
   return device < board_.sticks.size() && board_.sticks[device].source == board::SourceState::kLive;

@@ -108,6 +108,7 @@ bool PersonDoes(const State& state, const board::Snapshot& board, show::CuePerso
 }
 
 // The pending cue's wait by dt_s; the time that is left over when it has ended, or nothing while it goes on.
+// Where a person ends the wait nothing is left over: when that was is known to a frame only.
 std::optional<float> WaitOn(CueRun& run, bool person_does, float for_s, float dt_s) {
   run.left_s -= dt_s;
   if (run.phase == Phase::kPerson) run.held_s = person_does ? run.held_s + dt_s : 0.0F;
@@ -204,6 +205,7 @@ void Settle(Mixture& mixture, const show::TrackedState::Item& item, float amount
 
 }  // namespace
 
+// Buttons, keys, the foot switch and pages all end up here, so that one guard holds for every GO.
 void CallCue(State& state, const show::Show& show, show::CueVerb verb) {
   if (show.cue_list.tracked.empty()) return;
   switch (verb) {
@@ -244,6 +246,7 @@ void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   run.panicking = 0;
 }
 
+// A cue within a chain is never begun by a GO of its own: the one that brings it stands by.
 void StandByCue(State& state, const show::Show& show, std::int32_t index) {
   state.cue_run.standby = BeginningOfChainAt(show, index);
 }
@@ -272,6 +275,7 @@ void PlayCues(State& state, const board::Snapshot& board, const show::Show& show
   }
 }
 
+// `tracked` begins with the opening, so that what stands after the cue `active` is one further on.
 void SettleCues(State& state, const show::Show& show) {
   if (show.cue_list.tracked.empty()) return;
   const auto after = static_cast<std::size_t>(state.cue_run.active) + 1;

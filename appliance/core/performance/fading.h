@@ -7,6 +7,7 @@
 
 namespace kaori::performance {
 
+// Plain bytes, a part of State. A fresh one stands at 1.
 struct Fading {
   float from = 1, to = 1;
   float progress = 1;  // 0 at the call .. 1 when the fade has run.

@@ -95,6 +95,8 @@ void InputEvents::AddPresses(SeenInput& seen, const board::Snapshot& board) {
   if (IsThere(board.keys)) seen.key_presses = key_log.count;
 }
 
+// The log of each writer is in order, but two writers may have called in turns: they are merged by the times of
+// the calls. Of more calls than a log keeps the oldest are lost, and counted.
 void InputEvents::AddCalls(SeenInput& seen, const board::Snapshot& board) {
   for (std::size_t i = 0; i < board.calls.size(); ++i) {
     if (!IsThere(board.calls[i])) continue;
@@ -118,6 +120,8 @@ SeenInput SeenOn(const board::Snapshot& board) {
           .pointer = board.pointer.value};
 }
 
+// Adoption comes first: where a section is of another board its counters are taken over,
+// and no difference is left.
 InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board) {
   Adopt(seen, board);
   InputEvents events;

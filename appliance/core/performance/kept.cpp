@@ -81,6 +81,7 @@ float WeightOf(const Kept& kept) {
   return Mix(kept.from, static_cast<float>(kept.on), Curved(kept.curve, kept.progress));
 }
 
+// A sheet has no weight and is not kept by a toggle: a second push goes back to the first sheet.
 void Toggle(State& state, const show::Show& show, const show::Call& call, float fade_s) {
   if (call.kind == CallKind::kSheet) {
     state.sheet = state.sheet == call.index ? 0 : call.index;
@@ -94,11 +95,13 @@ void Toggle(State& state, const show::Show& show, const show::Call& call, float 
     Come(*kept, show, fade_s);
 }
 
+// A sheet that is held down is kept like a face, so that letting go brings back whichever lay below (SheetOf).
 void KeepDown(State& state, const show::Show& show, const show::Call& call, std::uint16_t control,
               float fade_s) {
   if (Kept* kept = PlaceFor(state, call, control); kept != nullptr) Come(*kept, show, fade_s);
 }
 
+// A device that is gone counts as let go: nobody can release a button of a box that was unplugged.
 void LetUp(State& state, const board::Snapshot& board, const show::Show& show, float fade_s) {
   for (Kept& kept : state.kept)
     if (kept.call.kind != CallKind::kNothing && kept.call.mode == CallMode::kMomentary && kept.on != 0 &&
@@ -113,6 +116,7 @@ void EndToggles(State& state, CallKind kind, float fade_s) {
       Turn(kept, false, fade_s);
 }
 
+// A fade of no length was at its end when it was called. What has gone frees its place for the next call.
 void AdvanceKept(State& state, float play_s) {
   for (Kept& kept : state.kept) {
     if (kept.duration_s > 0) kept.progress = std::min(1.0F, kept.progress + play_s / kept.duration_s);
@@ -120,6 +124,8 @@ void AdvanceKept(State& state, float play_s) {
   }
 }
 
+// What is kept sums to 1 at most, and the called items share what is left of it. Levels of roles (Level::kMix1
+// and on) count as toggles do.
 face::Terms WithKept(const State& state, const show::Show& show, CallKind kind, const face::Terms& called) {
   face::Terms kept;
   for (const Kept& one : state.kept)
@@ -136,6 +142,7 @@ face::Terms WithKept(const State& state, const show::Show& show, CallKind kind, 
   return mixed;
 }
 
+// A sheet that is held down lies over the one that was called; of two the first in the list counts.
 std::size_t SheetOf(const State& state) {
   const auto kept = std::ranges::find_if(
       state.kept, [](const Kept& k) { return k.call.kind == CallKind::kSheet && k.on != 0; });

@@ -19,6 +19,7 @@ enum class Owner : std::uint8_t {
 };
 inline constexpr std::uint8_t kOwnerCount = 4;
 
+// One level, in its own unit (show::LevelInfo). Plain bytes, a part of State.
 struct LevelNow {
   float value = 0;          // As its owner wants it, with what is left of the hand-over.
   float base = 0;           // What the owning role's dials have added to where its other controls stand.

@@ -58,6 +58,8 @@ scene::Head Swaying(float t, float breath) {
           .roll_rad = 0.014F * Wave(t, 0.083F, 0.9F) + 0.008F * Wave(t, 0.27F, 0.4F)};
 }
 
+// Whether a registered motion that plays has a curve for the gaze: the eyes are the motion's
+// then, even while it is at 0.
 bool PlaysGaze(const State& state, const show::Show& show) {
   const auto is_gaze = [](const show::MotionCurve& curve) {
     return curve.target == show::MotionTarget::kGazeYaw || curve.target == show::MotionTarget::kGazePitch;
@@ -101,6 +103,7 @@ bool AreLidsHeld(const State& state, const show::Show& show, const Motion& motio
   return std::max(shut[0], shut[1]) > kLidHeld;
 }
 
+// By the mouth or by the voice: lips before the camera speak also where there is no microphone.
 bool Speaks(const State& state, const board::Snapshot& board) {
   return state.mouth_quiet_s < kSpeaksFor_s ||
          (board.voice.source == board::SourceState::kLive && board.voice.value.speaking != 0);
@@ -123,6 +126,7 @@ scene::Head Scaled(const scene::Head& head, float by) {
   return {head.yaw_rad * by, head.pitch_rad * by, head.roll_rad * by, head.shift_m * by};
 }
 
+// Where nobody is named, or a number that the show's targets do not have, she looks at the house.
 LookInput InputOf(const State& state, const show::Show& show) {
   const auto& targets = show.gaze_targets;
   LookInput input{.house_m = show::HouseOf(targets),
@@ -142,6 +146,8 @@ void CallLife(Life& life, const show::LifeAmounts& amounts) {
     if (amounts[part] >= 0) life.called[part] = amounts[part];
 }
 
+// The Life dial lies over the amounts of all parts, and counts as 1 at kLifeAsPeople. Sway and nods join the
+// head before the look is asked for, so that her eyes hold their point while the head moves.
 Idle Live(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
           float dt_s) {
   Life& life = state.life;

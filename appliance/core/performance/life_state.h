@@ -43,6 +43,7 @@ struct GazeLife {
   float head_hand_off_s = kLongSince_s;  // Since a hand moved the head.
 };
 
+// What the voice has done to brows and head, and how long ago. Plain bytes, as all of Life.
 struct AccentLife {
   // The voice's level over the last tenth of a second, in steps of 10 ms, the newest first; and the time within the step.
   std::array<float, 11> levels_db{};

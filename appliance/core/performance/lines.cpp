@@ -11,6 +11,7 @@ namespace {
 using board::Line;
 using board::SourceState;
 
+// From full light to black, and back.
 constexpr float kBlackoutFade_s = 0.4F;
 
 // Whether the picture shall be black. A live line says so itself. Lines that were never there want nothing;
@@ -26,12 +27,16 @@ void Want(State& state, const board::Stamped<board::Lines>& lines) {
 
 }  // namespace
 
+// The scene that stands is noted first: it was not called since the lines were lost,
+// and lets go of no blackout.
 void BeginLines(State& state, const board::Stamped<board::Lines>& lines) {
   state.black_scene = state.scene;
   Want(state, lines);
   state.blackout = state.black_wanted != 0 ? 1.0F : 0.0F;
 }
 
+// The switch and the call are two wishes: either makes it black, and both must have ended
+// before the light comes back.
 void HandleLines(State& state, const board::Stamped<board::Lines>& lines, float dt_s) {
   Want(state, lines);
   const bool black = state.black_wanted != 0 || state.black_called != 0;

@@ -252,6 +252,7 @@ void HandOver(float& off_s, float& share, bool hand, float back_per_s, float dt_
 
 }  // namespace
 
+// Eyes and head are given up and taken up each for itself: a hand may have one of them and leave her the other.
 Look LookAround(GazeLife& life, std::int32_t target, const LookInput& input, float dt_s) {
   HandOver(life.head_hand_off_s, life.head_share, input.hand_on_head, 1 / kHeadTaken_s, dt_s);
   life.hand_off_s = input.hand_on_eyes ? 0 : std::min(kLongSince_s, life.hand_off_s + dt_s);

@@ -57,6 +57,8 @@ float EndOf(const show::Motion& motion) {
   return end_s;
 }
 
+// By time, since voices are taken wherever one is free. Of two that began in one frame the
+// first in the list counts.
 const Playing* Youngest(const State& state) {
   const Playing* youngest = nullptr;
   for (const Playing& voice : state.voices)

@@ -20,8 +20,11 @@ constexpr float kPause_s = 0.7F;    // and stay so in pauses of this length.
 // Half of the 200 ms within which the voice shall move a mouth whose lips are lost; a camera of 15 frames a
 // second is never so late. The rest is for the way over.
 constexpr float kLipsLost_s = 0.1F;
+// The way over, from all of the lips to all of the voice; and how old the voice's last block
+// may be until it is lost.
 constexpr float kToVoice_s = 0.06F;
 constexpr float kVoiceLost_s = 0.25F;
+// Clocks of the mouth stop here, as those of State do.
 constexpr float kForgotten_s = 10;
 // The expression's own mouth gives way so fast. An opening is added sooner while it is small, so that the
 // first word after a pause is in time.
@@ -69,6 +72,7 @@ Goal FromLips(const State& state, const board::Stamped<board::Lips>& lips) {
   return {mouth.open, mouth.wide, kFollowLips_s, true};
 }
 
+// A microphone that works and hears nothing shuts the mouth; one that is gone leaves it as it is.
 Goal FromVoice(const State& state, const board::Stamped<board::Voice>& voice) {
   if (!Heard(state, voice)) return {state.mouth_open, state.mouth_wide, kFollowVoice_s, false};
   return {voice.value.height, voice.value.width, kFollowVoice_s, true};

@@ -23,6 +23,7 @@ void FollowKnobs(State& state, float dt_s) {
     state.shown[i] = Approach(state.shown[i], state.knobs[i], dt_s, kKnobHalfLife_s);
 }
 
+// Of the head's shift only the lean has a level; sideways and upwards nothing moves it here.
 void FollowLevels(State& state, float dt_s) {
   const auto follow = [&](float& now, show::Level level, float half_life_s) {
     now = Approach(now, state.levels[static_cast<std::size_t>(level)].value, dt_s, half_life_s);
@@ -36,6 +37,8 @@ void FollowLevels(State& state, float dt_s) {
   follow(state.brow, show::Level::kBrow, kBrowHalfLife_s);
 }
 
+// Space holds both lids, X the character's left one and Z the right one, as they blink them (calls.cpp). Blinks
+// run on beneath what is held: whatever shuts a lid furthest is seen.
 std::array<float, 2> Lids(State& state, const board::Keys& keys, float dt_s) {
   const bool both = IsDown(keys, key::kSpace);
   const std::array<bool, 2> held{both || IsDown(keys, key::kX), both || IsDown(keys, key::kZ)};

@@ -8,6 +8,8 @@ namespace kaori::performance {
 // Whatever refers to the old clock or board is made anew: the time, the counters that were seen, voices,
 // blinks and buttons that are held down. Fades are ended and dials are not smoothed in, so that the first
 // frame equals the picture that was kept with the state.
+// Levels go to their rests, since no control has been seen on this board; roles stay on the devices to which
+// they were moved on that evening.
 State Recalled(const State& kept, const board::Snapshot& board, Time presented_at) {
   State state = kept;
   state.last = presented_at;

@@ -7,7 +7,9 @@ namespace kaori::performance {
 namespace {
 
 constexpr float kFarTurn_rad = 20;  // No head, gaze or tip of hair of a sound state is turned so far,
+// no tip swings so fast: a spring of 2 Hz within a third of a radian stays far below,
 constexpr float kFastTurn_rad_s = 1e4F;
+// and no head is so far from its rest, in metres: leaning in is 0.12.
 constexpr float kFarShift_m = 1;
 
 // False for NaN too: every comparison with it is.
@@ -27,10 +29,12 @@ bool IsValidFade(float progress, float duration_s) {
   return Within({progress}, 0, 1) && Within({duration_s}, 0, show::kLongestCueFade_s);
 }
 
+// What such a fade goes to lies within 0 and `most`, in its own unit.
 bool IsValidFading(const Fading& f, float most) {
   return Within({f.from, f.to}, 0, most) && IsValidFade(f.progress, f.duration_s);
 }
 
+// A cue is pending in every phase but kIdle. `standby` may be one beyond the last cue: the list is over then.
 bool IsValidCueRun(const CueRun& run, const show::CueList& list) {
   const auto count = static_cast<std::int32_t>(list.cues.size());
   const bool waits = run.phase != CueRun::Phase::kIdle;
@@ -86,6 +90,7 @@ bool IsValidLevel(const LevelNow& now, const show::LevelInfo& info, std::size_t 
          (now.owner != Owner::kHand || now.role < roles) && now.put <= 1;
 }
 
+// `way` and `anchor` are of the control; `value` is in its level's own unit, and no level goes so far in any.
 bool IsValidMap(const MapNow& now) {
   return Within({now.way, now.anchor}, -1, 1) && Within({now.value}, -kFarTurn_rad, kFarTurn_rad) &&
          Within({now.untaken_s}, 0, 10) && now.known <= 1;
@@ -130,6 +135,7 @@ bool IsValidVoices(const State& s, const show::Show& show) {
 
 }  // namespace
 
+// A show without scenes has no backdrops to mix, and nothing is painted from that mixture then (animate.cpp).
 bool IsValid(const State& state, const show::Show& show) {
   return IsValidMixture(state.faces, show.cast.faces.size()) &&
          IsValidMixture(state.expressions, show.cast.expressions.size()) &&

@@ -11,8 +11,11 @@
 namespace kaori::roles {
 namespace {
 
+// What stands before the name of a face or an expression, as in "expression angry". The blank belongs to it.
 constexpr std::string_view kFaceLevel = "face ", kExpressionLevel = "expression ";
 
+// Of the levels that every show has. Those of mixes are called by their items, and their
+// own names stand in no file.
 constexpr auto LevelNames() {
   std::array<std::string_view, show::kNamedLevels> names;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = show::kLevels[i].name;
@@ -21,6 +24,7 @@ constexpr auto LevelNames() {
 
 }  // namespace
 
+// In the order of the cast, so that the place of a name is the index that a call carries.
 Items ItemsOf(const face::Cast& cast) {
   Items items;
   for (const face::Face& one : cast.faces) items.faces.push_back(one.name);
@@ -28,6 +32,9 @@ Items ItemsOf(const face::Cast& cast) {
   return items;
 }
 
+// A name that begins with "face " or "expression " is looked up among the show's items, any other among
+// the levels. Where the cast could not be read whole an item that is not found is no fault: it may be
+// in the file that has one.
 std::optional<show::Level> LevelReader::Read(toml::Section& section) {
   const std::string name = section.Text("level");
   const bool face = name.starts_with(kFaceLevel);
@@ -47,6 +54,8 @@ std::optional<show::Level> LevelReader::Read(toml::Section& section) {
   return std::nullopt;
 }
 
+// Each item is in the list once, and its place there says which level it has: two maps of one item move the
+// same level. More items than there are such levels are a fault of the map that comes too late.
 std::optional<show::Level> LevelReader::MixOf(toml::Section& section, const show::Call& item) {
   const auto same = [&](const show::Call& mix) { return mix.kind == item.kind && mix.index == item.index; };
   const auto known = std::ranges::find_if(mixes_, same);
@@ -60,6 +69,8 @@ std::optional<show::Level> LevelReader::MixOf(toml::Section& section, const show
   return show::MixLevel(mixes_.size() - 1);
 }
 
+// Any level and any roles may be asked for: what they do not have is called "nothing", so that
+// two shows can be compared.
 std::string LevelName(const show::Roles& roles, show::Level level, const Items& items) {
   if (!show::IsMix(level)) return std::string(InfoOf(level).name);
   const std::size_t mix = static_cast<std::size_t>(level) - show::kNamedLevels;

@@ -26,11 +26,14 @@ struct WrittenRole {
 };
 
 // One [[role.map]].
+// What is wrong becomes a fault of the section and reads as a default, so that all faults of
+// a file are told at once.
 class MapReader {
  public:
   MapReader(toml::Section& section, std::optional<show::Device> device, LevelReader& levels)
       : section_(section), device_(device), levels_(levels) {}
 
+  // The control is read first: whether it turns decides between per_turn and range.
   RoleMap Read() {
     section_.AllowOnly({"control", "level", "range", "per_turn", "dead", "curve", "takeover"});
     ReadControl();
@@ -45,6 +48,8 @@ class MapReader {
   }
 
  private:
+  // Where an overlay names no device the control's name alone is judged; LayOver has the
+  // whole role checked later.
   void ReadControl() {
     const std::string name = section_.Text("control");
     if (name.empty()) return;
@@ -75,6 +80,8 @@ class MapReader {
     map_.to = Inside("range", range[1]);
   }
 
+  // From the file's unit to the level's own. A ten-thousandth of the range is forgiven, as rounded
+  // degrees need, and then cut off.
   float Inside(std::string_view key, double written) {
     const show::LevelInfo& level = InfoOf(map_.level);
     const double low = level.low / level.unit, high = level.high / level.unit, slack = (high - low) * 1e-4;
@@ -84,6 +91,8 @@ class MapReader {
     return std::clamp(static_cast<float>(written * level.unit), level.low, level.high);
   }
 
+  // One turn adds the whole range where nothing is said, and a hundred times that at most.
+  // Below 0 the dial is inverted.
   void ReadTurn() {
     const show::LevelInfo& level = InfoOf(map_.level);
     if (section_.Has("range")) section_.Fault("range", "is for controls with ends; a dial has per_turn");
@@ -100,6 +109,8 @@ class MapReader {
     return value;
   }
 
+  // A number is an exponent, a list holds points. A point that is no pair ends the list,
+  // since it cannot be one curve.
   void ReadCurve() {
     const toml::Value* curve = section_.Find("curve");
     if (curve == nullptr) return;
@@ -121,6 +132,7 @@ class MapReader {
                                           show::kMostCurvePoints));
   }
 
+  // A spring always comes from its middle and a dial only turns: neither has a place from which it would leap.
   void ReadTakeover() {
     const auto takeover = IndexOf(section_, "takeover", section_.Text("takeover"), show::kTakeoverNames);
     if (takeover) map_.takeover = static_cast<show::Takeover>(*takeover);
@@ -134,6 +146,8 @@ class MapReader {
   RoleMap map_;
 };
 
+// An overlay may leave the device out. Maps are put into the order of their levels, which keeps those of one
+// level together as CheckRoles wants them; those of one level keep their order.
 WrittenRole ReadRole(toml::Section section, LevelReader& levels, bool overlay) {
   section.AllowOnly({"name", "device", "map"});
   WrittenRole written;
@@ -158,6 +172,7 @@ toml::Section Named(const toml::Section& section, std::size_t number, toml::Faul
           faults};
 }
 
+// Of this file alone; what an overlay and the roles below it have together is counted by CheckRoles.
 void CheckCounts(toml::Section& file, const std::vector<WrittenRole>& roles) {
   std::size_t maps = 0;
   for (const WrittenRole& one : roles) maps += one.role.maps.size();
@@ -167,6 +182,7 @@ void CheckCounts(toml::Section& file, const std::vector<WrittenRole>& roles) {
     file.Fault("role", fmt::format("they have {} maps, and {} is the most", maps, show::kMostRoleMaps));
 }
 
+// What one file says. An overlay without a hand-over time leaves that of the show.
 struct WrittenFile {
   std::vector<WrittenRole> roles;
   std::vector<show::Call> mixes{};
@@ -217,6 +233,9 @@ std::vector<std::string> ReadRolesFile(const std::filesystem::path& file, const 
   return faults.lines();
 }
 
+// Level by level: on a level that a role of the overlay moves, its maps take the place of that role's
+// maps below. The sum of both is checked before it becomes `roles`, since two files that are right
+// can be too much together.
 std::vector<std::string> LayOver(const std::filesystem::path& file, const Items& items, show::Roles& roles) {
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};

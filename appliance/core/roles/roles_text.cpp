@@ -8,6 +8,7 @@
 namespace kaori::roles {
 
 // Nine digits bring back the same float.
+// Of a map nothing is written that is at its default: a line in the file is something that was meant.
 std::string TextOf(const show::Roles& roles, const Items& items) {
   std::string text = fmt::format("handover_s = {:.9g}\n", roles.handover_s);
   for (const show::Role& role : roles.roles) {

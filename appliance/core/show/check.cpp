@@ -64,6 +64,7 @@ void CheckCall(const Show& show, const std::string& item, const Call& call, Faul
     faults.push_back(item + ": only faces, expressions and sheets are toggles or momentary");
 }
 
+// Buttons are counted from 1 in faults, as people count those of a box.
 void CheckButtons(const Show& show, Faults& faults) {
   for (std::size_t i = 0; i < show.buttons.size(); ++i) {
     CheckCall(show, fmt::format("button {}", i + 1), show.buttons[i], faults);
@@ -93,6 +94,7 @@ void CheckKey(const std::string& item, std::uint16_t usage, Faults& faults) {
   if (usage >= kKeyUsages) faults.push_back(fmt::format("{}: there is no key {}", item, usage));
 }
 
+// Keys are named by their HID usage in faults: a pack does not know what is printed on them.
 void CheckKeyCall(const Show& show, const KeyCall& key, Faults& faults) {
   const std::string item = fmt::format("key {}", key.key_usage);
   CheckKey(item, key.key_usage, faults);
@@ -152,6 +154,8 @@ void CheckBackdrop(const Show& show, const std::string& item, const scene::Backd
     faults.push_back(fmt::format("{}: there is no picture {}", item, backdrop.picture));
 }
 
+// Each number of a scene becomes an index or a factor somewhere, and comes from a file:
+// none is used before this.
 void CheckScene(const Show& show, const StageScene& scene, Faults& faults) {
   const std::string item = fmt::format("scene \"{}\"", scene.name);
   CheckKey(item, scene.key_usage, faults);
@@ -189,6 +193,7 @@ void CheckTargets(const Show& show, Faults& faults) {
                                    kFarthestTarget_m));
 }
 
+// -1 is a role that no expression plays. That is no fault: nothing moves then.
 void CheckChannels(const Show& show, Faults& faults) {
   const auto check = [&](const char* role, int index) {
     if (index >= static_cast<int>(show.cast.expressions.size()) || index < -1)

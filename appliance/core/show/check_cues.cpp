@@ -21,6 +21,7 @@ class CueChecker {
     if (!(value >= 0 && value <= high)) Fault(fmt::format("{} is {}, not within 0 to {}", what, value, high));
   }
 
+  // `what` is the word for such items, of which the show has `count`.
   void Call(const char* what, const std::optional<CueCall>& call, std::size_t count) {
     if (!call) return;
     if (call->index >= count) Fault(fmt::format("there is no {} {}", what, call->index));
@@ -33,6 +34,7 @@ class CueChecker {
     Within(fmt::format("the fade of its {}", what).c_str(), level->in_s, kLongestCueFade_s);
   }
 
+  // kNoTarget is allowed: the cue then lets her look at nobody.
   void Gaze(std::int32_t target, std::size_t count) {
     if (target < kNoTarget || target >= static_cast<std::int32_t>(count))
       Fault(fmt::format("there is no gaze target {}", target));
@@ -60,6 +62,7 @@ void CheckLifeOf(CueChecker& check, const LifeAmounts& life) {
     if (amount != kKeepsLife) check.Within("its life", amount, kMostLife);
 }
 
+// Faults name a cue by its number, by which it is found in cues.toml.
 void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults) {
   CueChecker check(fmt::format("cue {}", cue.number), faults);
   if (!IsCueNumber(cue.number)) check.Fault("its number is not of digits and single dots");

@@ -80,6 +80,7 @@ void MakeCuesOfScenes(Show& show) {
 
 }  // namespace
 
+// A number with which another one begins comes before that: 2 < 2.1.
 std::strong_ordering CompareCueNumbers(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty())
     if (const auto order = CompareDigits(NextPart(a), NextPart(b)); order != 0) return order;
@@ -88,17 +89,20 @@ std::strong_ordering CompareCueNumbers(std::string_view a, std::string_view b) {
                                 : std::strong_ordering::greater;
 }
 
+// No dot at an end and no two in a row: each part has a digit, so that parts can be compared as numbers.
 bool IsCueNumber(std::string_view text) {
   const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
   return !text.empty() && text.size() <= 32 && std::ranges::all_of(text, is_part) && text.front() != '.' &&
          text.back() != '.' && text.find("..") == std::string_view::npos;
 }
 
+// The last cue ends its chain whatever it says: nothing comes behind it.
 std::size_t EndOfChain(const CueList& list, std::size_t cue) {
   while (cue + 1 < list.cues.size() && list.cues[cue].next != CueNext::kGo) ++cue;
   return cue;
 }
 
+// Each state is the one before with what the cue changes, so that a jump costs no more than a look at a list.
 void Track(Show& show) {
   CueList& list = show.cue_list;
   if (list.cues.empty()) MakeCuesOfScenes(show);

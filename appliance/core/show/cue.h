@@ -62,12 +62,14 @@ enum class CuePerson : std::uint8_t {
   kPresence,    // Somebody stands before the box.
 };
 
+// Times are seconds, up to kLongestWait_s, and count only where there is a person.
 struct CueWait {
   CuePerson person = CuePerson::kNobody;
   float for_s = 0;      // So long without a break.
   float at_most_s = 0;  // Then the cue comes all the same: an evening never hangs on a sensor.
 };
 
+// One cue of the list. What it does not name stays as it stands.
 struct Cue {
   std::string number{};  // Digits and dots: "3", "2.10". Rises from cue to cue, see CompareCueNumbers.
   std::string name{};

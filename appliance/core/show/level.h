@@ -87,6 +87,7 @@ inline constexpr std::array<LevelInfo, kLevelCount> kLevels{{
     {"mix 8", 0, 1, 0, 1, ""},
 }};
 
+// `level` must be one of the enumerators: whoever has a number from a file or a call looks at it before.
 constexpr const LevelInfo& InfoOf(Level level) {
   return kLevels[static_cast<std::size_t>(level)];
 }
@@ -99,6 +100,7 @@ constexpr bool IsMix(Level level) {
   return static_cast<std::size_t>(level) >= kNamedLevels;
 }
 
+// Whether the level stays where it was put when nobody has it any more. Others go back to their rest.
 constexpr bool Stays(Level level) {
   return static_cast<std::size_t>(level) < kStayingLevels;
 }

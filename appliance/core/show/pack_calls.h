@@ -8,6 +8,8 @@
 
 namespace kaori::show {
 
+// The kind in the lowest byte and the mode in the next: a pack without modes has zeros there, and calls
+// as CallMode::kCall does.
 inline pack::Call StoredCall(const Call& call) {
   return {static_cast<std::uint32_t>(call.kind) | static_cast<std::uint32_t>(call.mode) << 8U, call.index};
 }

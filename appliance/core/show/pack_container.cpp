@@ -9,6 +9,8 @@
 namespace kaori::show {
 namespace {
 
+// The last three bytes are as in PNG's signature (RFC 2083, 12.11): a transfer that rewrites line ends breaks
+// the first two, and the third ends a file that is typed on a DOS screen.
 constexpr std::string_view kMark = "KAORI\r\n\x1A";
 // FlatBuffers' identifier, at byte 4 of a content. Version 1 had no header, so that it stood at byte 4 of the file.
 constexpr std::string_view kContentMark = "KAOR";
@@ -21,6 +23,7 @@ constexpr std::size_t kSignerAt = 56;
 constexpr std::size_t kSignatureAt = 88;
 constexpr std::size_t kZerosAt = 152;
 static_assert(kSignatureAt + crypto_sign_BYTES == kZerosAt);
+// pack_container.h holds libsodium's state as bytes, so that it need not include sodium.h.
 static_assert(sizeof(crypto_generichash_state) == 384);
 
 using Bytes = std::span<const std::uint8_t>;
@@ -109,6 +112,7 @@ PackHeader MakeHeader(Bytes content, const SecretKey* signer) {
   return header;
 }
 
+// CheckMark lets only bytes through that have a whole header, so that all fields behind it can be read.
 Result<PackSeal> ReadHeader(Bytes bytes, std::uint64_t file_bytes) {
   if (auto ok = CheckMark(bytes); !ok) return tl::unexpected(ok.error());
   PackSeal seal;

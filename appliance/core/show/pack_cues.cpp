@@ -44,6 +44,8 @@ std::optional<LifeAmounts> Held(const pack::LifeAmounts* life) {
   return AsHeld<pack::LifeAmounts, LifeAmounts>(*life);
 }
 
+// Texts are made before the table that names them (pack_writer.cpp). A gaze has no struct that could be absent:
+// a number of its own says that the cue sets none.
 flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, const Cue& cue) {
   const auto number = to.CreateString(cue.number);
   const auto name = to.CreateString(cue.name);

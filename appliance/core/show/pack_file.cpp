@@ -51,6 +51,7 @@ class Pages {
   std::span<std::uint8_t> bytes_;
 };
 
+// A regular file that is not empty, and how long it was when it was opened.
 struct OpenFile {
   UniqueFd fd;
   std::uint64_t bytes = 0;
@@ -98,6 +99,8 @@ Result<PackSeal> ReadSeal(const OpenFile& file, const std::string& name) {
   return seal;
 }
 
+// Without a key nobody is refused. With one a pack must be signed by that very key; a signature that does not
+// fit was refused before, by ReadHeader.
 Result<void> CheckSigner(const std::string& name, const PackSeal& seal, const LoadOptions& options) {
   if (!options.signed_by || seal.signer == options.signed_by) return {};
   return FailInput(name + (seal.signer ? " is signed by another key than the one this box trusts"
@@ -160,6 +163,7 @@ Result<Content> OpenContent(const std::string& name, const LoadOptions& options)
   return Content{std::move(*pages), options.on_verified_root ? kPackHeader_bytes : 0, seal->content_bytes};
 }
 
+// CheckShow does not see sounds that are read alone, so that what the player divides by is looked at here.
 bool IsSound(const Sound& sound) {
   return (sound.channels == 1 || sound.channels == 2) &&
          sound.samples.size() % static_cast<std::size_t>(sound.channels) == 0;
@@ -178,6 +182,7 @@ Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& opti
   return DecodeChecked(std::move(*content), file.string());
 }
 
+// Samples are copied, so that the memory of the pack is given back when its sounds are there.
 Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const LoadOptions& options) {
   const std::string name = file.string();
   const auto content = OpenContent(name, options);
@@ -207,6 +212,7 @@ std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer) 
   return bytes;
 }
 
+// Header and content are written one behind the other; EncodePack would copy both into one buffer first.
 Result<void> SavePack(const Show& show, const std::filesystem::path& file, const SecretKey* signer) {
   const auto content = EncodeContent(show);
   const PackHeader header = MakeHeader(content, signer);

@@ -57,6 +57,7 @@ Result<void> RefuseExisting(const std::filesystem::path& file) {
 
 }  // namespace
 
+// By libsodium, since a compiler may leave out a plain clearing of memory that nobody reads again.
 SecretKey::~SecretKey() {
   sodium_memzero(bytes_.data(), bytes_.size());
 }
@@ -69,6 +70,7 @@ PublicKey SecretKey::public_key() const {
   return key;
 }
 
+// The public half is dropped: the secret key ends with the same bytes.
 Result<SecretKey> MakeKey() {
   if (sodium_init() < 0) return Fail(std::errc::function_not_supported, "gather chance for a key");
   PublicKey half;

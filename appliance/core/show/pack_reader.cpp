@@ -78,6 +78,8 @@ face::ControlNet ReadNet(Copier& from, const pack::ControlNet* stored) {
   return net;
 }
 
+// Structs that a pack of an earlier program has not leave the Face's own defaults; numbers
+// then read as pack.fbs says.
 face::Face ReadFace(Copier& from, const pack::Face& stored) {
   face::Face face;
   face.name = from.Text(stored.name());
@@ -97,6 +99,8 @@ face::Face ReadFace(Copier& from, const pack::Face& stored) {
   return face;
 }
 
+// A kind that does not exist stays one, for the checks of the cast to refuse. Of props the
+// same holds for their part.
 face::Expression ReadExpression(Copier& from, const pack::Expression& stored) {
   return {.name = from.Text(stored.name()),
           .kind = static_cast<face::ExpressionKind>(Narrow<std::uint8_t>(stored.kind())),
@@ -131,6 +135,7 @@ Motion ReadMotion(Copier& from, const pack::Motion& stored) {
           from.Tables<MotionCurve>(stored.curves(), curve), ReadSound(from, stored)};
 }
 
+// A scene of a pack from before scenes had amounts of life lives as people do.
 StageScene ReadScene(Copier& from, const pack::StageScene& stored) {
   return {
       .name = from.Text(stored.name()),
@@ -147,6 +152,7 @@ StageScene ReadScene(Copier& from, const pack::StageScene& stored) {
       .gaze = stored.gaze()};
 }
 
+// Roles that are missing stay -1; more than this program knows are left out.
 Channels ReadChannels(Copier& from, const pack::Pack& stored) {
   Channels channels;
   const auto brows = from.Numbers(stored.brow_up());
@@ -163,6 +169,8 @@ GazeTarget ReadTarget(Copier& from, const pack::GazeTarget& stored) {
   return {from.Text(stored.name()), Vec(stored.at_m())};
 }
 
+// One list holds the buttons of both sheets, the second behind the first; a pack that ends with the first
+// leaves the second empty. Counts are bounded, since a forged list may be as long as the file.
 void ReadControls(const pack::Pack& stored, Show& show) {
   if (stored.buttons() != nullptr)
     for (flatbuffers::uoffset_t i = 0; i < stored.buttons()->size() && i < 2 * kButtonCount; ++i)
@@ -175,6 +183,7 @@ void ReadControls(const pack::Pack& stored, Show& show) {
   }
 }
 
+// Whether an index means anything is not judged here: CheckShow sees the whole show.
 Show Read(Copier& from, const pack::Pack& stored) {
   Show show;
   show.name = from.Text(stored.name());

@@ -5,6 +5,8 @@
 namespace kaori::show {
 namespace {
 
+// Controls, levels and take-overs are stored as numbers: their order in roles.h and
+// level.h is part of the format.
 flatbuffers::Offset<pack::RoleMap> WriteMap(flatbuffers::FlatBufferBuilder& to, const RoleMap& map) {
   const auto points = to.CreateVectorOfStructs(AsStored<pack::Vec2>(map.points), map.points.size());
   return pack::CreateRoleMap(to, static_cast<std::uint32_t>(map.control), map.dial,
@@ -12,6 +14,7 @@ flatbuffers::Offset<pack::RoleMap> WriteMap(flatbuffers::FlatBufferBuilder& to, 
                              points, static_cast<std::uint32_t>(map.takeover));
 }
 
+// Parts before the table that names them, as in pack_writer.cpp.
 flatbuffers::Offset<pack::Role> WriteRole(flatbuffers::FlatBufferBuilder& to, const Role& role) {
   const auto name = to.CreateString(role.name);
   std::vector<flatbuffers::Offset<pack::RoleMap>> offsets;
@@ -20,6 +23,7 @@ flatbuffers::Offset<pack::Role> WriteRole(flatbuffers::FlatBufferBuilder& to, co
   return pack::CreateRole(to, name, static_cast<std::uint32_t>(role.device), maps);
 }
 
+// Numbers that are no control, level or take-over stay so, or become 255, and CheckRoles names them.
 RoleMap ReadMap(Copier& from, const pack::RoleMap& stored) {
   return {.control = static_cast<Control>(Narrow<std::uint8_t>(stored.control())),
           .dial = Narrow<std::uint8_t>(stored.dial()),
@@ -48,6 +52,8 @@ flatbuffers::Offset<pack::Roles> WriteRoles(flatbuffers::FlatBufferBuilder& to, 
   return pack::CreateRoles(to, roles.handover_s, all, mixes);
 }
 
+// A pack from before there were roles plays as the box did then. More mixes than there are levels for are left
+// out, and maps that want those are refused by CheckRoles.
 Roles ReadRoles(Copier& from, const pack::Roles* stored) {
   if (stored == nullptr) return UsualRoles();
   Roles roles{.handover_s = stored->handover_s(), .roles = from.Tables<Role>(stored->roles(), ReadRole)};

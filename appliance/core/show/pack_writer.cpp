@@ -82,6 +82,7 @@ Offset<pack::ControlNet> Write(FlatBufferBuilder& to, const face::ControlNet& ne
   return pack::CreateControlNet(to, stored_names, stored_uvs, to_cage, surface);
 }
 
+// Both eyes are written as they lie in memory; the reader's SameBytes keeps the two layouts equal.
 Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   const auto name = to.CreateString(face.name);
   const auto positions = Structs<pack::Vec3>(to, face.positions);
@@ -166,6 +167,8 @@ Offset<pack::GazeTarget> Write(FlatBufferBuilder& to, const GazeTarget& target) 
   return pack::CreateGazeTarget(to, name, &at);
 }
 
+// Arguments stand in the order of the fields in pack.fbs, which grows at its end alone: a field in between
+// would renumber all behind it, and older packs would be misread.
 Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto name = to.CreateString(show.name);
   const auto topology = Write(to, show.cast.topology);
@@ -200,6 +203,7 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
 
 }  // namespace
 
+// A copy, since the builder keeps the content at the end of a larger buffer.
 std::vector<std::uint8_t> EncodeContent(const Show& show) {
   FlatBufferBuilder to(kFirstGuessBytes);
   pack::FinishPackBuffer(to, Write(to, show));

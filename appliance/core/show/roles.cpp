@@ -8,14 +8,17 @@
 namespace kaori::show {
 namespace {
 
+// In the order of Control. "dial" alone names none: files say which, from 1 on.
 constexpr std::array<std::string_view, kControlCount> kControlNames{"x",     "y",      "twist", "hat x",
                                                                     "hat y", "slider", "dial"};
 constexpr int kDials = 8;
 
+// The control's whole way for the level's whole range.
 RoleMap Whole(Control control, Level level) {
   return {.control = control, .level = level, .from = InfoOf(level).low, .to = InfoOf(level).high};
 }
 
+// Dial n has level n, as the first eight levels stand. `per_turn` is in the level's own unit.
 RoleMap OfDial(Level level, float per_turn) {
   return {
       .control = Control::kDial, .dial = static_cast<std::uint8_t>(level), .level = level, .to = per_turn};
@@ -83,6 +86,7 @@ class MapChecker {
 }  // namespace
 
 // Full turns are those of the play of 1993: one for each whole range, but for the fade, of which one is 2 s.
+// The right slider only raises the brows: where it rests they are level, and not in a frown.
 Roles UsualRoles() {
   Role levels{.name = "levels", .device = Device::kDialBox, .maps = {}};
   for (std::size_t i = 0; i < kStayingLevels; ++i) {
@@ -102,6 +106,7 @@ Roles UsualRoles() {
   return {.roles = {std::move(levels), std::move(head), std::move(gaze)}};
 }
 
+// Behind the dead zone the way begins at 0, so that nothing leaps there, and its end stays the end.
 float Shaped(const RoleMap& map, float way) {
   if (map.dead == 0 && map.exponent == 1 && map.points.empty()) return way;
   const float behind = (std::abs(way) - map.dead) / (1 - map.dead);
@@ -117,6 +122,7 @@ float LevelAt(const RoleMap& map, float way) {
   return (map.from + map.to) / 2 + shaped * ((map.to - map.from) / 2);
 }
 
+// x must rise in each step, since OnCurve divides by it; y may fall in between.
 bool IsCurve(const std::vector<glm::vec2>& points) {
   const auto falls = [](const glm::vec2& a, const glm::vec2& b) { return !(a.x < b.x); };
   const auto outside = [](const glm::vec2& p) { return !(p.y >= 0 && p.y <= 1); };
@@ -150,6 +156,7 @@ void CheckRoles(const Roles& roles, std::vector<std::string>& faults) {
     faults.push_back(fmt::format("roles: {} maps, and {} at most can be played", maps, kMostRoleMaps));
 }
 
+// Dials have one digit: there are eight.
 std::optional<NamedControl> ControlNamed(std::string_view name) {
   if (name.starts_with("dial ") && name.size() == 6 && name[5] >= '1' && name[5] < '1' + kDials)
     return NamedControl{Control::kDial, static_cast<std::uint8_t>(name[5] - '1')};

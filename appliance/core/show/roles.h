@@ -35,6 +35,8 @@ inline constexpr std::array<std::string_view, kDeviceCount> kDeviceNames{"left s
 enum class Control : std::uint8_t { kX, kY, kTwist, kHatX, kHatY, kSlider, kDial };
 inline constexpr std::size_t kControlCount = 7;
 
+// A control is one of three kinds, which its place in the list tells: it springs back,
+// stays, or turns without ends.
 constexpr bool Springs(Control control) {
   return control < Control::kSlider;
 }
@@ -57,6 +59,7 @@ enum class Takeover : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 3> kTakeoverNames{"jump", "pickup", "scale"};
 
+// How one control moves one level. A fresh one has no range yet, and CheckRoles refuses it.
 struct RoleMap {
   Control control{};
   std::uint8_t dial = 0;  // Of Control::kDial, from 0.

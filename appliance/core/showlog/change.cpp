@@ -51,6 +51,7 @@ std::size_t WriteGroup(std::span<const std::uint32_t> before, std::span<const st
 }
 
 // Gives the bytes behind the group; nothing where they end before it does.
+// The last group may have fewer than eight words: bits for words that it has not are refused.
 std::optional<std::size_t> ReadGroup(std::span<const std::uint8_t> from, std::span<std::uint32_t> words) {
   if (from.empty()) return std::nullopt;
   const std::uint8_t mask = from[0];
@@ -72,6 +73,7 @@ std::optional<std::size_t> ReadGroup(std::span<const std::uint8_t> from, std::sp
 
 }  // namespace
 
+// Groups at the end that did not change are not counted: the 0 stands for them.
 std::size_t WriteChange(std::span<const std::uint32_t> before, std::span<const std::uint32_t> now,
                         std::span<std::uint8_t> into) {
   std::size_t at = 0, skipped = 0;
@@ -91,6 +93,8 @@ std::size_t WriteChange(std::span<const std::uint32_t> before, std::span<const s
   return at;
 }
 
+// `from` may hold anything: what it counts is compared with the words that there are before one is touched.
+// Bytes that end without the 0 were torn.
 std::optional<std::size_t> ReadChange(std::span<const std::uint8_t> from, std::span<std::uint32_t> words) {
   std::size_t at = 0, word = 0;
   while (at < from.size()) {

@@ -69,6 +69,8 @@ struct HeadRead {
 // Nothing where the bytes do not begin with a whole head of this version.
 std::optional<HeadRead> ReadHead(std::span<const std::uint8_t> file);
 
+// What stands before a chunk's frames. Numbers count the chunks of one run of the stage, over all files of its
+// log; lost frames are those that came before this chunk and were never handed to the disk.
 struct ChunkHead {
   std::uint32_t number = 0;
   std::uint32_t bytes = 0;  // Of its frames.

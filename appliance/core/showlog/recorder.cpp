@@ -31,6 +31,8 @@ void Recorder::Note(const Given& given, const performance::Performed& made) {
   ++frames_;
 }
 
+// Events that the board gives are not written, since the replay makes them again; the first frame of a chunk
+// has none before it to count from, and writes them always.
 void Recorder::Append(const Given& given, bool with_state, std::uint16_t sum) {
   PackFrame(given.presented_at, given.board, times_, now_);
   const bool follow = FollowFromBoard(given) && frames_ > 0;
@@ -80,6 +82,8 @@ void Recorder::Close() {
   frames_ = 0;
 }
 
+// For the writer's thread. The acquire pairs with the release in Close: the chunk's bytes and
+// handed_ are whole by then.
 std::span<const std::uint8_t> Recorder::handed() const {
   const std::size_t bytes = handed_bytes_.load(std::memory_order_acquire);
   if (bytes == 0) return {};

@@ -43,6 +43,7 @@ Result<void> Faults::Verdict() const {
 Section::Section(const Value& table, std::string name, Faults& faults)
     : table_(&table), name_(std::move(name)), faults_(&faults) {}
 
+// "eye.radius", as people would look for it in the file; without a key the table's own name.
 std::string Section::ItemName(std::string_view key) const {
   if (key.empty()) return name_;
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
@@ -110,6 +111,7 @@ glm::dvec3 Section::PointOr(std::string_view key, glm::dvec3 otherwise) {
   return Has(key) ? Point(key) : otherwise;
 }
 
+// A point that is missing has its fault already and reads as the origin, which is never too far.
 glm::dvec3 Section::Point_cm(std::string_view key, double most_cm) {
   const glm::dvec3 point = Point(key);
   const double far = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
@@ -154,6 +156,8 @@ std::vector<std::string> Section::Texts(std::string_view key) {
   return texts;
 }
 
+// A part that is missing reads as an empty table. Its keys are missing then too, but
+// Faults keeps quiet about them.
 Section Section::Part(std::string_view key) {
   const Value* value = Need(key, Value::Kind::kTable, "a table");
   return {value != nullptr ? *value : EmptyTable(), ItemName(key), *faults_};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+// Nothing of ours throws: the parser then gives its error as a value.
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
@@ -20,6 +21,7 @@ Value Begin(Value::Kind kind, const ::toml::node& node) {
   return {.kind = kind, .line = static_cast<int>(begin.line), .column = static_cast<int>(begin.column)};
 }
 
+// The first item that cannot be converted ends the list; the error has its line. Of tables the same.
 Result<Value> ConvertList(const ::toml::array& array, const std::string& file) {
   Value value = Begin(Value::Kind::kList, array);
   for (const ::toml::node& item : array) {
