@@ -92,6 +92,7 @@ void DepthPicture::Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
+// x^2 + y^2 + z^2 = r^2 about the centre, solved for the nearer z; nothing is drawn on the rim itself.
 void DepthPicture::DrawBall(const glm::vec3& centre, float radius_m) {
   const Range columns = Span(centre.x - radius_m, centre.x + radius_m, window_.low_m.x);
   const Range rows = Span(centre.y - radius_m, centre.y + radius_m, window_.low_m.y);
@@ -104,6 +105,7 @@ void DepthPicture::DrawBall(const glm::vec3& centre, float radius_m) {
   }
 }
 
+// Cutting to whole numbers rounds down, since neither is below 0 by then.
 float DepthPicture::At(const glm::vec2& position) const {
   const glm::vec2 at = (position - window_.low_m) / pixel_m_;
   const auto last = static_cast<float>(pixels_);

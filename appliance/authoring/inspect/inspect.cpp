@@ -86,6 +86,7 @@ class Inspector {
     for (std::size_t i = 0; i < skin_.size(); ++i) moving_skin_[i] = skin_[i] && moving_[i];
   }
 
+  // With names instead of numbers: findings are read without the cast.
   void Add(std::uint16_t face, const std::string& pose, Finding finding) {
     finding.face = cast_.faces[face].name;
     finding.pose = pose;
@@ -102,6 +103,7 @@ class Inspector {
         {.flaw = Flaw::kFold, .count = count, .measure = static_cast<float>(count), .at = folds.at});
   }
 
+  // Counted once for a pose, however many teeth stand out; how far the farthest does is the measure.
   void SeekTeeth(const face::Shape& shape, std::uint16_t face, const std::string& pose) {
     const auto through = FindTeethThroughLips(cast_, cast_.faces[face], shape, moving_skin_);
     if (through.vertices == 0) return;
@@ -112,6 +114,7 @@ class Inspector {
          .measure = through.farthest_m / kMillimetre_m});
   }
 
+  // Counted by eyes; measure and place are those of the worse one.
   void SeekLidGaps(const face::Shape& shape, Sides sides, std::uint16_t face, const std::string& pose) {
     const auto seen_m2 = BallsSeen_m2(shape, mesh().triangles, sides);
     const int eyes = (seen_m2[0] > 0 ? 1 : 0) + (seen_m2[1] > 0 ? 1 : 0);
@@ -148,6 +151,8 @@ Inspection Sum(std::vector<Inspection> parts) {
 
 }  // namespace
 
+// Workers share only the number of the next face and the lock for speaking: each result has a place of its own,
+// and nothing is locked while a face is looked at.
 Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun,
                    Scope scope) {
   if (cast.topology.fine.triangles.empty()) return {};

@@ -113,6 +113,7 @@ float BallSeen_m2(std::vector<Look>& looks, float radius_m, const Triangles& cor
 
 }  // namespace
 
+// A face that shows no ball has one without a radius, which has no gap.
 std::array<float, 2> BallsSeen_m2(const face::Shape& shape, std::span<const face::Triangle> triangles,
                                   Sides sides) {
   std::array<float, 2> seen_m2{};

@@ -37,6 +37,7 @@ void AddSeen(const face::Shape& shape, std::span<const face::Triangle> triangles
 
 }  // namespace
 
+// Seen from any side is enough. Hair and clothes are not drawn: what lies beneath them is skin as well.
 std::vector<bool> FindSkin(const face::Shape& at_rest, std::span<const face::Triangle> triangles) {
   std::vector<bool> seen(triangles.size(), false);
   for (const View& view : kViews) AddSeen(at_rest, triangles, view, seen);

@@ -15,6 +15,7 @@ namespace kaori::authoring {
 namespace {
 
 // What the sheet says itself. In the formats, {0} is a name or a value and {1} a time in seconds.
+// The rules have the scene of PANIC as {0}, the guard of GO as {1}, and the time of a jump as {2}.
 struct Words {
   const char *language, *title, *cue, *begins, *happens, *notes;
   const char *go, *with_previous, *after_previous, *then_waits, *or_after;
@@ -109,11 +110,14 @@ std::string Number(float value) {
   return fmt::format("{:.4g}", std::round(value * 100) / 100);
 }
 
+// Writes one page. Borrows both; the show is one that CheckShow passes, so that indices are used as they are.
 class CueSheetWriter {
  public:
   CueSheetWriter(const show::Show& show, const Words& words)
       : show_(show), list_(show.cue_list), words_(words) {}
 
+  // An act's heading stands before its first cue; cues that name no act are of the one before. All names are
+  // escaped, since anybody may have made the show.
   std::string Page() const {
     std::string rows, act;
     for (std::size_t i = 0; i < list_.cues.size(); ++i) {
@@ -139,11 +143,14 @@ class CueSheetWriter {
   }
 
  private:
+  // Formats are chosen by language when the program runs, so that the compiler cannot check them.
   template <typename... Values>
   static std::string Say(const char* words, const Values&... values) {
     return fmt::format(fmt::runtime(words), values...);
   }
 
+  // What begins a cue is bold where a person calls it, so that whoever calls the show sees at a glance which
+  // cues come by themselves.
   std::string Row(std::size_t at) const {
     const show::Cue& cue = list_.cues[at];
     const bool alone = at == 0 || list_.cues[at - 1].next == show::CueNext::kGo;
@@ -174,6 +181,7 @@ class CueSheetWriter {
     return fmt::format("{}; {}", begins, waits);
   }
 
+  // A fade of no length is told as a cut.
   std::string In(const std::string& what, float in_s) const {
     return in_s > 0 ? Say(words_.in_time, what, Number(in_s)) : Say(words_.at_once, what);
   }

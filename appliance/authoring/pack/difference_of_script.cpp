@@ -44,6 +44,7 @@ std::string Calls(const show::Show& show, const show::Call& call) {
   return "nothing";
 }
 
+// The mode stands before the call, as in show.toml: "toggle face dog". The usual one is not said.
 std::string Says(const show::Show& show, const show::Call& call) {
   const auto mode = static_cast<std::size_t>(call.mode);
   if (call.mode == show::CallMode::kCall || mode >= show::kCallModeNames.size()) return Calls(show, call);
@@ -99,6 +100,7 @@ bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
          before->rgba == after->rgba;
 }
 
+// A time below 0 is none of the item's own: the Fade dial has it.
 std::string Fade(const show::ItemFade& fade) {
   const auto time = [](float s) {
     return s < 0 ? std::string("as the dial says") : fmt::format("{:.2f} s", s);
@@ -157,6 +159,7 @@ void CompareMotion(const std::string& item, const show::Motion& a, const show::M
     lines.push_back(item + ": sounds otherwise");
 }
 
+// Light and fade are compared as they are told, to a hundredth: what reads the same is no difference.
 void CompareScene(const std::string& item, const ScriptedScene& a, const ScriptedScene& b, Lines& lines) {
   const auto compare = [&](const char* what, const std::string& before, const std::string& after) {
     if (before != after) lines.push_back(fmt::format("{}: {} {} is now {}", item, what, before, after));

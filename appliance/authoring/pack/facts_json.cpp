@@ -18,6 +18,7 @@ json::List Findings(const inspect::Inspection& looks) {
 
 }  // namespace
 
+// Times are milliseconds, lengths of files bytes. `signed_by` is null where nobody signed.
 std::string FactsJson(const Facts& f) {
   const json::Object page{{"show", f.show},
                           {"file_bytes", f.file_bytes},

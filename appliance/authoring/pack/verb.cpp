@@ -97,6 +97,8 @@ Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args) 
   return arguments;
 }
 
+// Help that was asked for goes to standard output and is a success; help that nobody asked for goes to
+// standard error and is none.
 int Dispatch(std::span<const Verb> verbs, std::span<char* const> args) {
   // Without a verb the page goes to standard error, since nothing was asked for.
   if (args.empty()) {

@@ -9,6 +9,7 @@ namespace kaori::authoring {
 namespace {
 
 // Lines go to standard output, the sum to standard error, so that `check > file` keeps the lines alone.
+// A flaw ends with 1 as a fault does: a build that checks a show stops at either.
 int RunCheck(const Arguments& arguments) {
   const auto [faults, flaws] = CheckFolder(arguments.words[0]);
   if (faults.empty() && flaws.empty()) {

@@ -7,6 +7,7 @@
 namespace kaori::authoring {
 namespace {
 
+// English where no language was asked for. Errors: invalid_argument, for any other word than the two.
 Result<SheetLanguage> LanguageNamed(const Arguments& arguments) {
   const auto given = arguments.options.find("--language");
   if (given == arguments.options.end() || given->second == "en") return SheetLanguage::kEnglish;
@@ -14,6 +15,7 @@ Result<SheetLanguage> LanguageNamed(const Arguments& arguments) {
   return FailInput("--language is en or ja, not " + given->second);
 }
 
+// Silent where all is well; the page is written whole or not at all.
 int RunCueSheet(const Arguments& arguments) {
   const auto language = LanguageNamed(arguments);
   if (!language) return ExitWithError(language.error());

@@ -18,6 +18,7 @@ struct TakeNumber {
 constexpr TakeNumber kGain{"--gain", 0.1F, 2, 1}, kStretch{"--stretch", 0.25F, 4, 1},
     kEase{"--ease", 0, 5, 0.25F};
 
+// What lies outside its bounds is refused and not held to them: a slip of the keyboard should be seen.
 Result<float> NumberOf(const Arguments& arguments, const TakeNumber& wanted) {
   const auto given = arguments.options.find(wanted.option);
   if (given == arguments.options.end()) return wanted.otherwise;
@@ -27,6 +28,8 @@ Result<float> NumberOf(const Arguments& arguments, const TakeNumber& wanted) {
                                wanted.least, wanted.most));
 }
 
+// A name with a quote would end its text in show.toml (TextOfTake). A stretch of the log is a quarter of the
+// longest motion at most, since --stretch may make it four times as long.
 Result<TakeOptions> OptionsOf(const Arguments& arguments, const showlog::LogFile& log) {
   TakeOptions options{.name = arguments.words[4]};
   if (options.name.find_first_of("\"\\\n") != std::string::npos)
@@ -49,6 +52,8 @@ Result<TakeOptions> OptionsOf(const Arguments& arguments, const showlog::LogFile
   return options;
 }
 
+// Standard output is the motion alone, so that it can be appended to show.toml. What is wrong with the log
+// elsewhere is a warning: the stretch that is wanted may be whole.
 int RunTake(const Arguments& arguments) {
   const auto log = showlog::LogFile::Read(arguments.words[1]);
   if (!log) return ExitWithError(log.error());

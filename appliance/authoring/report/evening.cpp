@@ -16,6 +16,7 @@ constexpr Duration kStoodStill = milliseconds(500);  // A longer pause between t
 // A stamp that is older belongs to a control that has not moved since.
 constexpr Duration kOldestMove = milliseconds(250);
 
+// A device as people call it, and how it stood in one frame.
 struct Source {
   const char* name;
   board::SourceState state;
@@ -34,12 +35,15 @@ std::array<Source, 8> SourcesOf(const board::Snapshot& board) {
 }
 
 // Watches one log as it plays.
+// What differs from one frame to the next becomes an incident, a cue or a measurement. Borrows all four.
 class Watcher {
  public:
   Watcher(const showlog::LogFile& log, const show::Show& show, Evening& evening,
           std::vector<double>& delays_ms)
       : log_(log), show_(show), evening_(evening), delays_ms_(delays_ms) {}
 
+  // Frames on both sides of a gap are not compared: what happened between them is not known. Nor is
+  // the first frame of a log.
   void Look(const showlog::Replay& replay) {
     const Time at = replay.presented_at();
     if (replay.follows()) {
@@ -59,6 +63,8 @@ class Watcher {
     evening_.incidents.push_back({at, log_.DayTimeText(at), std::move(what)});
   }
 
+  // Counters wrap, and only their differences count. A device that was not there when the log began,
+  // and comes, was not lost.
   void Compare(const showlog::Replay& replay, Time at) {
     const performance::State& state = replay.made().state;
     if (state.cue_run.active != active_ && state.cue_run.active >= 0) NotePlayed(replay, at);
@@ -103,6 +109,8 @@ class Watcher {
   }
 
   // The youngest control that has moved since the frame before.
+  // Only what a hand moves is measured: stamps of lips and voice change all the time,
+  // whether anything moves or not.
   void MeasureDelay(const board::Snapshot& board, Time at) {
     const std::array stamps{board.surface.at, board.sticks[0].at, board.sticks[1].at, board.keys.at};
     Time youngest{};
@@ -137,6 +145,7 @@ class Watcher {
   std::array<Time, 4> stamps_{};
 };
 
+// Sorts the list. Both figures are values that were measured, not mixed with their neighbours.
 Delays DelaysOf(std::vector<double>& ms) {
   if (ms.empty()) return {};
   std::ranges::sort(ms);
@@ -161,6 +170,7 @@ std::vector<ActPlayed> ActsOf(const Evening& evening, const show::Show& show, Ti
   return acts;
 }
 
+// `times` is not empty: a cue that nobody played has no entry.
 Duration MedianOf(std::vector<Duration> times) {
   std::ranges::sort(times);
   const std::size_t half = times.size() / 2;
@@ -169,6 +179,7 @@ Duration MedianOf(std::vector<Duration> times) {
 
 }  // namespace
 
+// An empty text where neither this cue nor one before it names an act.
 const std::string& ActOf(const show::Show& show, std::size_t cue) {
   static const std::string kNone;
   for (std::size_t i = cue + 1; i-- > 0;)
@@ -176,6 +187,8 @@ const std::string& ActOf(const show::Show& show, std::size_t cue) {
   return kNone;
 }
 
+// Each log has a watcher of its own, so that the last frame of one file and the first of the next are not
+// compared. Delays of all files are one list.
 Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::Show& show) {
   Evening evening;
   std::vector<double> delays_ms;
@@ -202,6 +215,7 @@ Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::S
   return evening;
 }
 
+// Of a cue that was played twice the first time counts, and so does the first beginning of its act.
 std::map<std::size_t, Duration> TimesInActs(const Evening& evening, const show::Show& show) {
   std::map<std::size_t, Duration> times;
   std::map<std::string, Time> begun;
@@ -212,6 +226,7 @@ std::map<std::size_t, Duration> TimesInActs(const Evening& evening, const show::
   return times;
 }
 
+// An evening on which a cue was not played says nothing of that cue.
 std::map<std::size_t, Duration> UsualTimes(std::span<const Evening> evenings, const show::Show& show) {
   std::map<std::size_t, std::vector<Duration>> all;
   for (const Evening& evening : evenings)

@@ -41,6 +41,7 @@ struct Delays {
   std::size_t frames = 0;  // That were measured; 0: nothing moved.
 };
 
+// All that a report says of an evening. Times of day are texts in the time zone that the box had then.
 struct Evening {
   std::string day, begins, ends;
   Duration length{};

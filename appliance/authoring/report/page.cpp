@@ -8,6 +8,8 @@
 namespace kaori::authoring {
 namespace {
 
+// For A4 and for a browser alike: no row is torn between pages, and no heading ends one. Fonts are
+// those that systems have.
 constexpr std::string_view kReportStyle = R"(
 @page { size: A4; margin: 14mm 12mm; }
 body { font: 10.5pt/1.35 "Noto Sans", "Noto Sans CJK JP", "DejaVu Sans", sans-serif; color: #000; margin: 2em auto; max-width: 186mm; }

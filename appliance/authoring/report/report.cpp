@@ -20,6 +20,7 @@ std::string Later(Duration than_usual) {
   return (early ? "-" : "+") + Length(early ? -than_usual : than_usual);
 }
 
+// "-" stands for cues before the first that names an act.
 ReportTable Acts(const Evening& evening) {
   ReportTable table{
       "Acts", {"act", "begins", "length", "until the next, or the end"}, {}, "No cue was played."};
@@ -29,6 +30,8 @@ ReportTable Acts(const Evening& evening) {
   return table;
 }
 
+// A cue that was played again is told as such and not compared, since its usual time is that of the first.
+// Where no earlier evening played it the columns "usual" and "later" stay empty.
 ReportTable Cues(const Evening& evening, std::span<const Evening> earlier, const show::Show& show) {
   ReportTable table{"Cues",
                     {"cue", "name", "played at", "called by", "in its act", "usual", "later"},
@@ -62,6 +65,8 @@ ReportTable Incidents(std::string title, const std::vector<Incident>& incidents,
 
 }  // namespace
 
+// Lines first, which say how the evening was as a whole; then tables of acts, cues, refused GOs and faults.
+// What is wrong with the log itself has a table only where there is something.
 Report ReportOf(const Evening& evening, std::span<const Evening> earlier, const show::Show& show) {
   Report report{.title = fmt::format("{}, {}", show.name, evening.day), .lines = {}, .tables = {}};
   report.lines.push_back(fmt::format("From {} to {}: {}, {} frames.", evening.begins, evening.ends,

@@ -22,6 +22,7 @@ using show::MotionTarget;
 
 constexpr float kDegreesPerRad = 180 / std::numbers::pi_v<float>;
 // Less than this is the noise of a stick that nobody holds.
+// Radians, or a weight.
 constexpr float kMoves = 1e-3F;
 
 using Keys = std::vector<MotionKey>;
@@ -33,6 +34,7 @@ struct Sample {
 };
 
 // A brow has two curves, one for each way, since a channel only goes from 0 to 1.
+// The state has what operators moved, without life and motions on top of it: those play again by themselves.
 Sample SampleOf(const performance::State& state, float at_s) {
   return {at_s,
           {state.head.yaw_rad, state.head.pitch_rad, state.head.roll_rad, state.gaze.yaw_rad,
@@ -129,6 +131,7 @@ Result<show::Motion> RecordTake(const showlog::LogFile& log, const show::Show& s
 }
 
 // As a person would write it into show.toml: angles in degrees, channels by the name of their expression.
+// Four digits behind the point are a tenth of a millisecond, and of an angle less than kTakeError.
 std::string TextOfTake(const show::Motion& motion, const show::Show& show) {
   std::string text = fmt::format("[[motion]]\nname = \"{}\"\n", motion.name);
   for (const MotionCurve& curve : motion.curves) {

@@ -99,6 +99,7 @@ scene::Backdrop ReadBackdrop(toml::Section section, const std::filesystem::path&
   return backdrop;
 }
 
+// "nothing" for a number that is no kind, so that packs can be compared whatever they hold.
 std::string NameOf(scene::BackdropKind kind) {
   const auto index = static_cast<std::size_t>(kind);
   return std::string(index < kKinds.size() ? kKinds[index] : "nothing");

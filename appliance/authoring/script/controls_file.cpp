@@ -17,6 +17,7 @@ Words Split(const std::string& text) {
   return {text.substr(0, space), space == std::string::npos ? "" : text.substr(space + 1)};
 }
 
+// Sheets are 1 and 2 in the file, 0 and 1 in a call.
 std::uint16_t SheetNamed(toml::Section& section, const std::string& key, const std::string& name) {
   if (name != "1" && name != "2")
     section.Fault(key, fmt::format("there is no sheet \"{}\", but 1 and 2", name));
@@ -24,6 +25,8 @@ std::uint16_t SheetNamed(toml::Section& section, const std::string& key, const s
 }
 
 // "face kaori". `section` holds it under `key`, for the faults.
+// A name that is not there is a fault and gives number 0 of its kind; a word that is no kind
+// gives a call of nothing.
 show::Call ReadItem(Script& script, toml::Section& section, const std::string& key, const std::string& text) {
   const auto [kind, name] = Split(text);
   if (kind == "face") return {show::CallKind::kFace, FaceNamed(script, section, key, name)};
@@ -57,11 +60,13 @@ show::Call ReadCall(Script& script, toml::Section& section, const std::string& k
   return call;
 }
 
+// A time that is not written is none of the item's own, which ItemFade has as a number below 0.
 float FadeTime(toml::Section& section, std::string_view key) {
   if (!section.Has(key)) return show::ItemFade().in_s;
   return Between(section, key, 0, show::kLongestItemFade_s, " s");
 }
 
+// The first name of the list is that of the usual curve.
 show::FadeCurve ReadCurve(toml::Section& section) {
   const std::string name = section.TextOr("curve", std::string(show::kFadeCurveNames.front()));
   const auto* const found = std::ranges::find(show::kFadeCurveNames, name);
@@ -74,6 +79,8 @@ show::FadeCurve ReadCurve(toml::Section& section) {
 
 }  // namespace
 
+// Keys are what a button would call, "face kaori" or "expression angry". Each list is as long as its last item
+// with a fade needs; items behind that have none of their own.
 void ReadFades(Script& script, toml::Section fades) {
   for (const auto& entry : fades.table().table) {
     const auto [kind, name] = Split(entry.first);
@@ -117,6 +124,7 @@ void ReadButtons(Script& script, const toml::Section& file, const std::string& l
     section.Fault(list, fmt::format("{} are given; the box has {}", number, into.size()));
 }
 
+// Scenes and motions have been read and have their keys; KeyNamed refuses those here, and keys of the box.
 void ReadKeys(Script& script, toml::Section keys) {
   for (const auto& [name, value] : keys.table().table) {
     const std::uint16_t usage = KeyNamed(script, keys, name, name, "[keys]");

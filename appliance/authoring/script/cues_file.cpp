@@ -9,6 +9,7 @@
 namespace kaori::authoring {
 namespace {
 
+// In the order of show::CueNext. A cue that does not say is "no": GO begins the next one.
 constexpr std::array<std::string_view, 3> kNexts{"no", "continue", "follow"};
 
 // What cues may wait for, each under the key of its seconds.
@@ -50,6 +51,7 @@ class CueReader {
     return show::CueLevel{to, Between(part, "in_s", 0, show::kLongestCueFade_s, " s")};
   }
 
+  // -1 stands for the time of a scene that is named alone, without in_s: it then fades as it says itself.
   std::optional<show::CueCall> Scene(std::string_view key) {
     const auto named = [this](toml::Section& section, std::string_view at, const std::string& name) {
       return IndexOf(section, at, "scene", script_.show.scenes, name);
@@ -85,6 +87,7 @@ class CueReader {
     return levels;
   }
 
+  // A word that is none of these is a fault and reads as "no", so that the rest of the file can be judged.
   show::CueNext Next() {
     const std::string name = section_.TextOr("continue", kNexts.front());
     const auto found = std::ranges::find(kNexts, name);
@@ -93,6 +96,7 @@ class CueReader {
     return show::CueNext::kGo;
   }
 
+  // One condition, and an end of its own for it: a sensor that fails must not hold the evening.
   show::CueWait Wait() {
     if (!section_.Has("wait_for")) return {};
     toml::Section part = section_.Part("wait_for");
@@ -123,6 +127,7 @@ class CueReader {
   toml::Section& section_;
 };
 
+// Two numbers with one key (board::CueKey) are refused, however unlikely: a call carries the key alone.
 std::string ReadNumber(Script& script, toml::Section& section) {
   std::string number = section.Text("number");
   if (number.empty()) return number;
@@ -144,6 +149,7 @@ std::string ReadNumber(Script& script, toml::Section& section) {
   return number;
 }
 
+// Faces, expressions and styles fade in 1 s where the cue gives no time; light and presence are cut.
 show::Cue ReadCue(Script& script, toml::Section section) {
   section.AllowOnly({"number", "name", "act", "notes", "pre_wait_s", "scene", "face", "expression", "style",
                      "light", "present", "motion", "release", "life", "gaze", "continue", "wait_for"});
@@ -184,6 +190,7 @@ toml::Section Numbered(Script& script, const toml::Section& section, std::size_t
           script.faults};
 }
 
+// [list]: what holds for all cues. The guard alone is written in milliseconds.
 void ReadList(Script& script, toml::Section section) {
   section.AllowOnly({"go_guard_ms", "goto_s", "panic"});
   show::CueList& list = script.show.cue_list;
@@ -198,6 +205,7 @@ void ReadList(Script& script, toml::Section section) {
 
 }  // namespace
 
+// A last cue that would bring another one is a fault at its own line.
 void ReadCueList(Script& script, toml::Section file) {
   file.AllowOnly({"list", "cue"});
   if (file.Has("list")) ReadList(script, file.Part("list"));

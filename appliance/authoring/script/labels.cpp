@@ -194,6 +194,7 @@ json::List LevelsJson(const show::Show& show) {
   return levels;
 }
 
+// In the show's order, so that a name's place is the role's number on the board.
 json::List RolesJson(const show::Roles& roles) {
   json::List names;
   for (const show::Role& role : roles.roles) names.emplace_back(role.name);

@@ -9,6 +9,7 @@ namespace {
 // In the order of show::LifePart.
 constexpr std::array<const char*, show::kLifePartCount> kLifeParts{"blink", "glance", "head", "breath",
                                                                    "accents"};
+// Words for the gaze that every show has: nobody is no place and cannot be given one, the camera can be moved.
 constexpr const char* kNobodyName = "nobody";
 constexpr const char* kCameraName = "camera";
 // Where the picture's own viewer is: whoever sees the picture is looked at.
@@ -18,6 +19,7 @@ float LifeAmount(toml::Section& section, std::string_view key, float otherwise) 
   return Between(section, key, otherwise, show::kMostLife, "");
 }
 
+// A place that is there already is moved: so a show has its own house, or its own camera.
 void ReadTarget(Script& script, toml::Section& gaze, const std::string& name) {
   auto& targets = script.show.gaze_targets;
   const glm::vec3 at_m(gaze.Point(name));
@@ -37,6 +39,7 @@ void ReadTarget(Script& script, toml::Section& gaze, const std::string& name) {
 
 }  // namespace
 
+// House and camera are there before the file is read, so that the house is the first one, as HouseOf counts on.
 void ReadGazeTargets(Script& script, toml::Section gaze) {
   script.show.gaze_targets = {{show::kHouseName, show::kHouse_m}, {kCameraName, kCamera_m}};
   for (const auto& entry : gaze.table().table) ReadTarget(script, gaze, entry.first);

@@ -10,6 +10,8 @@
 #include "appliance/authoring/script/taken_keys.h"
 
 namespace kaori::authoring {
+// Where the cast's names are not known any name will do: what keeps them from being known is
+// a fault of another file.
 std::uint16_t FaceNamed(Script& script, toml::Section& section, std::string_view key,
                         const std::string& name) {
   return script.known.faces ? IndexOf(section, key, "face", script.show.cast.faces, name) : std::uint16_t{0};
@@ -28,6 +30,7 @@ std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std
   return 0;
 }
 
+// The number is given even where it is a fault. `otherwise` is judged as well, and must lie within the bounds.
 float Between(toml::Section& section, std::string_view key, float otherwise, float most, const char* unit) {
   const auto value = static_cast<float>(section.NumberOr(key, otherwise));
   if (!(value >= 0 && value <= most))
@@ -43,6 +46,8 @@ std::uint16_t CueVerbNamed(toml::Section& section, std::string_view key, const s
   return 0;
 }
 
+// Of two that want one key the first in the file's order of reading keeps it, and the
+// fault is the second one's.
 std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view key, const std::string& name,
                        const std::string& user) {
   const auto usage = KeyUsage(name);

@@ -94,6 +94,7 @@ std::vector<std::string> CueFaults(const Script& of_show, const std::filesystem:
 }  // namespace
 
 // A file that cannot be read is one fault: the error of reading it.
+// Roles are read before cues, which may release levels that only the roles name.
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show, KnownNames known) {
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};

@@ -49,6 +49,7 @@ class Arranger {
     return widest_px == 0 ? 0 : widest_px + 2 * kGap_px;
   }
 
+  // The title may be wider than any row. The gap behind a row's last cell does not count.
   int WidestRow() const {
     int widest_px = lettering_.width_px(sheet_.title, kTitle_px);
     for (const Section& section : sheet_.sections)
@@ -69,6 +70,7 @@ class Arranger {
     y_px_ += height_px + 2 * kGap_px;
   }
 
+  // A section begins below what there is. Its last row may be shorter than the others.
   void Add(const Section& section) {
     if (!section.heading.empty()) {
       y_px_ += 2 * kGap_px;
@@ -79,6 +81,7 @@ class Arranger {
     for (std::size_t first = 0; first < section.cells.size(); first += in_a_row) AddRow(section, first);
   }
 
+  // Pixels from the sheet's left edge, behind the names of the rows.
   int CellLeft(std::size_t column) const {
     return kMargin_px + rows_width_px_ + static_cast<int>(column) * (cell_.width_px + kGap_px);
   }

@@ -12,6 +12,7 @@ namespace {
 
 using face::ExpressionKind;
 
+// On the sheet of one face: cells of the usual 320 px make a picture of some 2600 px.
 constexpr int kInARow = 8;
 constexpr float kClose_m = 0.78F;  // Near enough to see a lip, far enough for hair and ears.
 // A little to the side: straight ahead, depth cannot be judged.
@@ -67,6 +68,7 @@ std::vector<std::uint16_t> OfKind(const face::Cast& cast, ExpressionKind kind) {
   return indices;
 }
 
+// From the face `first` on: the sheet of morphs has no row for the face that all others come from.
 std::vector<std::string> FaceNames(const face::Cast& cast, std::size_t first = 0) {
   std::vector<std::string> names;
   for (std::size_t i = first; i < cast.faces.size(); ++i) names.push_back(cast.faces[i].name);
@@ -106,6 +108,7 @@ class Planner {
     return Titled("faces.png", "The cast from five sides", std::move(grid));
   }
 
+  // Each style alone and whole. The head is turned a little: straight ahead, depth cannot be judged.
   Sheet Styles() const {
     Section grid{.in_a_row = scene::kStyleCount, .rows = FaceNames(cast_)};
     for (const char* style : kStyleNames) grid.columns.emplace_back(style);
@@ -169,10 +172,12 @@ class Planner {
     return sheet;
   }
 
+  // A face at rest. Flaws are found in poses and told on their cells, so that there are none here.
   Cell Plain(std::uint16_t face, std::string label) const {
     return {cast_.faces[face].name, std::move(label), "", Portrait(face)};
   }
 
+  // With what the inspection found of this face in poses of this expression.
   Cell Worn(std::uint16_t face, std::uint16_t expression) const {
     const std::string& name = cast_.expressions[expression].name;
     return {cast_.faces[face].name, name, flaws_.On(cast_.faces[face].name, name),

@@ -21,6 +21,7 @@ using Step = std::function<void(std::string_view)>;
 // A dark ground, as the stage has.
 constexpr std::array<std::uint8_t, 3> kPaper{21, 24, 31};
 constexpr std::array<std::uint8_t, 3> kFlaw{255, 92, 84};
+// Around a cell with flaws; and the least side of a cell, however small its sheet is.
 constexpr int kFrame_px = 3;
 constexpr int kSmallestCell_px = 64;
 
@@ -86,6 +87,7 @@ class Drawing {
   image::Picture cell_;
 };
 
+// What was asked for, times the sheet's own size. Where it lies is not known yet.
 Box CellBox(const SheetOptions& options, float size) {
   const auto sized = [&](int length_px) {
     return std::max(kSmallestCell_px, static_cast<int>(std::lround(size * static_cast<float>(length_px))));
@@ -93,6 +95,7 @@ Box CellBox(const SheetOptions& options, float size) {
   return {0, 0, sized(options.cell_width_px), sized(options.cell_height_px)};
 }
 
+// Sizes depend on texts and counts alone, so that all sheets are laid out before the first cell is drawn.
 std::vector<LaidOut> LayOutAll(const show::Show& show, const SheetOptions& options, const Flaws& flaws,
                                image::Lettering& lettering) {
   std::vector<LaidOut> all;
@@ -153,6 +156,7 @@ class NewFolder {
 
 }  // namespace
 
+// Names are told after the last file is written, so that whoever reads them may open any.
 Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& folder,
                         const SheetOptions& options, const std::function<void(std::string_view)>& wrote,
                         const std::function<void(std::string_view)>& step) {
