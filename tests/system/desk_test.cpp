@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
 #include "appliance/core/board/board.h"
+#include "hw-sim/hil/picture.h"
 #include "tests/appliance/programs/desk_visitor.h"
 #include "tests/system/program_runner.h"
 
@@ -58,6 +60,15 @@ class DeskProgram : public ::testing::Test {
     const auto at = reply.find("kaori-desk=");
     return reply.substr(at, reply.find(';', at) - at);
   }
+  // How many rows of the status picture say that something is at fault: -1 where there is no picture.
+  int Faults(const std::string& cookie) {
+    constexpr std::array<int, 3> kRed{240, 80, 70};
+    const std::string reply = Ask({.path = "/status.png", .cookie = cookie});
+    const auto head = reply.find("\r\n\r\n");
+    if (tests::StatusOf(reply) != 200 || head == std::string::npos) return -1;
+    std::ofstream(programs_.File("status.png"), std::ios::binary) << reply.substr(head + 4);
+    return hil::CountMarks(programs_.File("status.png"), kRed).value_or(-1);
+  }
   bool State(const std::string& cookie, const char* words) {
     return Ask({.path = "/state", .cookie = cookie}).find(words) != std::string::npos;
   }
@@ -91,6 +102,16 @@ TEST_F(DeskProgram, ChangesTheLipsOfAPairedVisitor) {
   EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":true"); }));
   EXPECT_TRUE(Await([&] { return Lips().source == SourceState::kLive && Lips().value.open == 0.7F; }))
       << "as it was saved";
+}
+
+TEST_F(DeskProgram, ShowsOnTheStatusPictureThatTheStageHasAScreen) {
+  StartAll();
+  const std::string cookie = Pair();
+  EXPECT_EQ(Faults(cookie), 2) << "no screen, and no picture on it";
+  programs_.Start("kaori-stage",
+                  {"--board", programs_.board(), "--links", programs_.links(), "--pack",
+                   (ProgramRunner::Programs().parent_path() / "shows" / "kaori.kaori").string()});
+  EXPECT_TRUE(Await([&] { return Faults(cookie) == 0; }, 30s)) << programs_.LogOf("kaori-stage");
 }
 
 TEST_F(DeskProgram, DoesNotDisturbTheLipsWhenItDies) {
