@@ -62,13 +62,14 @@ std::vector<Metric> ReadBuildCosts(const std::string& file) {
   std::ifstream in(file);
   const auto costs = nlohmann::json::parse(in, nullptr, false);
   std::vector<Metric> metrics;
-  for (const char* build : {"demo", "test", "kernel"}) {
-    const auto cost = costs.is_object() ? costs.find(fmt::format("build_{}_cpu_s", build)) : costs.end();
+  for (const auto& [figure, unit] : {std::pair{"demo_cpu_s", "s of CPU"}, std::pair{"test_cpu_s", "s of CPU"},
+                                     std::pair{"kernel_cpu_s", "s of CPU"}, std::pair{"touched_s", "s"}}) {
+    const auto cost = costs.is_object() ? costs.find(fmt::format("build_{}", figure)) : costs.end();
     if (cost == costs.end() || !cost->is_number()) {
-      fmt::print(stderr, "kaori-benchmark: {} does not say what the {} build costs\n", file, build);
+      fmt::print(stderr, "kaori-benchmark: {} does not say build_{}\n", file, figure);
       return {};
     }
-    metrics.push_back({fmt::format("build.{}_cpu_s", build), "s of CPU", *cost, *cost});
+    metrics.push_back({fmt::format("build.{}", figure), unit, *cost, *cost});
   }
   return metrics;
 }

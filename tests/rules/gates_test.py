@@ -163,6 +163,25 @@ class Tidy(Tree):
         self.assertIn("clang-analyzer-core.DivideZero", "".join(self.found("drivers/a.cpp", analyze=True)))
 
 
+class Comments(Tree):
+    """A product with too few comments is refused, and the folder that lacks them is named."""
+
+    def run_gate(self):
+        return subprocess.run([sys.executable, "-B", REPOSITORY / "tests/rules/comments.py", self.root], check=False,
+                              capture_output=True, text=True)
+
+    def test_fifteen_of_a_hundred_are_enough(self):
+        self.write("render/a.cpp", "// Why.\n" * 3 + "int a;\n" * 17)
+        self.assertEqual(self.run_gate().returncode, 0)
+
+    def test_fewer_are_refused_and_tests_do_not_count(self):
+        self.write("render/a.cpp", "// Why.\n" * 2 + "int a;\n" * 18)
+        self.write("tests/a.cpp", "// Why.\n" * 100)
+        found = self.run_gate()
+        self.assertEqual(found.returncode, 1)
+        self.assertIn("render: 1 lines of comment are missing", found.stdout)
+
+
 class Report(Tree):
     """Every figure of out/house.json is counted, and none is a constant."""
 
@@ -180,17 +199,18 @@ class Report(Tree):
         found = report.figures(self.root, self.build)
         self.assertEqual(found, {"cycles": 0, "refused_words": 0, "unformatted": 0, "tidy_warnings": 0, "comment_percent": 25.0,
                                  "contract_suites": 0, "product_lines": 4, "build_demo_cpu_s": None, "build_test_cpu_s": None,
-                                 "build_kernel_cpu_s": None})
+                                 "build_kernel_cpu_s": None, "build_touched_s": None})
 
     def test_counts_what_is_wrong_and_what_is_there(self):
         self.write("drivers/base/b.h", '#include "drivers/hid/b.h"\nint seat;\n')
         self.write("drivers/hid/b.h", '#include "drivers/base/b.h"\nint   x;\n')
         self.write("tests/contracts/camera_contract.h", "// A suite.\n")
-        self.write("out/build_cpu.json", '{"build_demo_cpu_s": 1.5, "build_test_cpu_s": 2.5, "build_kernel_cpu_s": 3.5}')
+        self.write("out/build_cpu.json", '{"build_demo_cpu_s": 1.5, "build_test_cpu_s": 2.5, "build_kernel_cpu_s": 3.5, '
+                                          '"build_touched_s": 4.5}')
         found = report.figures(self.root, self.build)
         self.assertEqual(found, {"cycles": 1, "refused_words": 1, "unformatted": 1, "tidy_warnings": 0, "comment_percent": 12.5,
                                  "contract_suites": 1, "product_lines": 8, "build_demo_cpu_s": 1.5, "build_test_cpu_s": 2.5,
-                                 "build_kernel_cpu_s": 3.5})
+                                 "build_kernel_cpu_s": 3.5, "build_touched_s": 4.5})
 
 
 if __name__ == "__main__":

@@ -11,30 +11,23 @@ Usage: report.py ROOT BUILD FILE.json     FILE gets the figures, as they stand n
   contract_suites   suites of tests/contracts
   product_lines     lines of the product's C++
   build_*_cpu_s     processor seconds of a build without compiler cache, where `./box bench --build` measured it; else null
+  build_touched_s   seconds from one touched source to the end of its tests, likewise
 """
 
 import json
 import pathlib
 import sys
 
+import comments
 import cycles
 import format  # noqa: A004  The check of that name.
 import tidy
-import unused
 import words
 
-BUILD_FIGURES = ("build_demo_cpu_s", "build_test_cpu_s", "build_kernel_cpu_s")
-
-
-def product_lines(root):
-    for path, file in words.files(root):
-        if path.startswith(unused.PRODUCT) and file.suffix in (".h", ".cpp"):
-            yield from file.read_text(encoding="utf-8").splitlines()
+BUILD_FIGURES = ("build_demo_cpu_s", "build_test_cpu_s", "build_kernel_cpu_s", "build_touched_s")
 
 
 def figures(root, build):
-    lines = list(product_lines(root))
-    comments = sum(line.lstrip().startswith(("//", "/*", "*")) for line in lines)
     measured = root / "out/build_cpu.json"
     known = json.loads(measured.read_text()) if measured.is_file() else {}
     return {
@@ -42,9 +35,9 @@ def figures(root, build):
         "refused_words": len(list(words.offences(root))),
         "unformatted": len(set(format.unformatted(root))),
         "tidy_warnings": tidy.count(root, build),
-        "comment_percent": round(100 * comments / len(lines), 1),
+        "comment_percent": round(comments.percent(root), 1),
         "contract_suites": len(list((root / "tests/contracts").glob("*_contract.h"))),
-        "product_lines": len(lines),
+        "product_lines": sum(lines for lines, _ in comments.of_folders(root).values()),
         **{name: known.get(name) for name in BUILD_FIGURES},
     }
 
