@@ -12,7 +12,7 @@
 #include "appliance/authoring/sculpt/cage.h"
 #include "appliance/authoring/sculpt/texture_map.h"
 #include "render/face/composer.h"
-#include "tests/appliance/authoring/sculpt_bench.h"
+#include "tests/appliance/authoring/sculpt_fixture.h"
 
 namespace kaori::tests {
 namespace {

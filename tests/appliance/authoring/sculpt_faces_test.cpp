@@ -13,7 +13,7 @@
 #include "appliance/authoring/sculpt/cage.h"
 #include "render/face/check.h"
 #include "render/face/composer.h"
-#include "tests/appliance/authoring/sculpt_bench.h"
+#include "tests/appliance/authoring/sculpt_fixture.h"
 
 namespace kaori::tests {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/appliance/authoring/sculpt_bench.h"
+#include "tests/appliance/authoring/sculpt_fixture.h"
 
 #include <unistd.h>
 
