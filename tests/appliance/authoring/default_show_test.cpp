@@ -37,17 +37,18 @@ std::ptrdiff_t Kinds(face::ExpressionKind kind) {
   return std::ranges::count(DefaultShow().cast.expressions, kind, &face::Expression::kind);
 }
 
-// What buttons of a kind call.
+// What buttons of a kind call, on both sheets.
 std::set<int> OnButtons(show::CallKind kind) {
   std::set<int> called;
-  for (const show::Call& call : DefaultShow().buttons)
-    if (call.kind == kind) called.insert(call.index);
+  for (const auto* sheet : {&DefaultShow().buttons, &DefaultShow().second_buttons})
+    for (const show::Call& call : *sheet)
+      if (call.kind == kind) called.insert(call.index);
   return called;
 }
 
-TEST(DefaultShow, HasTenFacesTwentyExpressionsTenMouthShapesAndAFineSkin) {
+TEST(DefaultShow, HasTenFacesTwentyFourExpressionsTenMouthShapesAndAFineSkin) {
   EXPECT_GE(DefaultShow().cast.faces.size(), 10U);
-  EXPECT_GE(Kinds(face::ExpressionKind::kExpression), 20);
+  EXPECT_GE(Kinds(face::ExpressionKind::kExpression), 24);
   EXPECT_GE(Kinds(face::ExpressionKind::kMouth), 10);
   EXPECT_GE(DefaultShow().cast.topology.triangles.size(), 4500U) << "of the cage, before it is made finer";
 }
