@@ -133,7 +133,7 @@ std::vector<Check> AloneChecks();
 std::vector<Check> DiskChecks();
 // The PC's power button, in a show and in service.
 std::vector<Check> PowerChecks();
-// A data partition that is ruined is mended.
+// A data partition that is ruined is mended, and the journal of an evening is kept.
 std::vector<Check> DataChecks();
 // The screens that a box may find, and what is on its screen from power to the face.
 std::vector<Check> DisplayChecks();

@@ -1,4 +1,4 @@
-// A data partition that is ruined: the face plays, and the service key brings a partition back that keeps again.
+// The data partition: one that is ruined is brought back by the service key, and the journal of an evening is kept over a power cut.
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -41,7 +41,7 @@ constexpr std::array kRuins{
     Ruin{"a lost journal", "clri <8>", 0, 0, "cannot be mounted", "is mended", true},
     Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, "cannot be mounted", "what was kept is lost", false}};
 
-Setup RuinedSetup(const std::string& disk) {
+Setup SetupOn(const std::string& disk) {
   return {.sound = false, .keeps_disk = true, .width_px = 480, .height_px = 270, .disk = disk};
 }
 
@@ -109,14 +109,14 @@ Result<void> WantMended(Scene& scene, const Ruin& ruin) {
   const auto disk = RuinedDisk(scene, ruin);
   if (!disk) return tl::unexpected(disk.error());
   PlayStrategy box(scene.target);
-  auto ok = box.Play(RuinedSetup(*disk));
+  auto ok = box.Play(SetupOn(*disk));
   if (ok) ok = WantSaid(scene, ruin, ruin.at_start, seconds(5));
   if (ok && !ruin.at_end.empty()) ok = TurnKey(scene, ruin);
   if (ok) ok = WantKept(scene, ruin);
   box.Off();
   // The next start finds a whole one.
   if (ok && !ruin.at_end.empty()) {
-    ok = box.Play(RuinedSetup(*disk));
+    ok = box.Play(SetupOn(*disk));
     if (ok) ok = WantKept(scene, ruin);
     if (ok && WantSaid(scene, ruin, "the data partition", seconds(2)))
       ok = FailInput(fmt::format("{}: the next start has something to say of the partition", ruin.name));
@@ -141,7 +141,7 @@ Result<void> NothingIsMendedWithoutTheKey(Scene& scene) {
   const auto disk = RuinedDisk(scene, ruin);
   if (!disk) return tl::unexpected(disk.error());
   PlayStrategy box(scene.target);
-  auto ok = box.Play(RuinedSetup(*disk));
+  auto ok = box.Play(SetupOn(*disk));
   if (ok)
     ok = WantFoundWrong(WantSaid(scene, ruin, ruin.at_end, seconds(30)), "it is made anew without the key");
   box.Off();
@@ -149,14 +149,84 @@ Result<void> NothingIsMendedWithoutTheKey(Scene& scene) {
   return ok;
 }
 
+constexpr const char* kMachineId = "read /etc/machine-id";
+// As the box's journald.conf has it, with time for a slow machine.
+constexpr Duration kUntilSynced = seconds(30);
+
+// What the stage said in the evening before this one. Errors: invalid_argument (nothing is kept).
+Result<void> WantEveningBefore(Scene& scene) {
+  const auto said = scene.target.agent().Ask(
+      "own /usr/bin/journalctl -b -1 --no-pager -o cat -n 100 -u kaori-stage", kDataAnswer);
+  if (!said) return tl::unexpected(said.error());
+  if (said->find("is opened on") != std::string::npos) return {};
+  return FailInput(fmt::format("the journal keeps nothing of the stage's last evening, but \"{}\"", *said));
+}
+
+// Errors: timed_out, the journal stays in memory.
+Result<void> AwaitKeptJournal(Scene& scene) {
+  const auto kept = [&] {
+    return scene.target.agent().Ask("read /run/systemd/journal/flushed", kDataAnswer).has_value();
+  };
+  if (!scene.target.Until(kept, kDataAnswer))
+    return Fail(std::errc::timed_out, "wait until the journal is kept");
+  scene.target.Until([] { return false; }, kUntilSynced);
+  return {};
+}
+
+// Two evenings with a power cut between them: the second knows what was said in the first, and that it is the same box.
+Result<void> KeepsTheJournal(Scene& scene) {
+  const QemuOptions& options = scene.target.machine().options();
+  const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "journal.disk", "data");
+  if (!disk) return tl::unexpected(disk.error());
+  PlayStrategy box(scene.target);
+  std::array<std::string, 2> number, usage;
+  Result<void> ok;
+  for (std::size_t evening = 0; ok && evening < 2; ++evening) {
+    ok = box.Play(SetupOn(disk->file));
+    if (ok && evening == 1) ok = WantEveningBefore(scene);
+    if (ok) ok = AwaitKeptJournal(scene);
+    number[evening] = scene.target.agent().Ask(kMachineId, kDataAnswer).value_or("");
+    usage[evening] =
+        scene.target.agent().Ask("own /usr/bin/journalctl --disk-usage", kDataAnswer).value_or("");
+    box.Off();
+  }
+  std::filesystem::remove(disk->file);
+  if (!ok) return ok;
+  if (number[0].empty() || number[0] != number[1])
+    return FailInput(
+        fmt::format("the box has another number after a power cut: {} and {}", number[0], number[1]));
+  scene.finding.said = "what the stage said before a power cut stands in the journal after it";
+  scene.finding.texts.emplace_back("the room that the journal takes", usage[1]);
+  return {};
+}
+
+// The control: in its first evening a box has none before it.
+Result<void> TheFirstEveningHasNoneBefore(Scene& scene) {
+  PlayStrategy box(scene.target);
+  Setup first = SetupOn("");
+  first.keeps_disk = false;
+  auto ok = box.Play(first);
+  if (ok) ok = WantFoundWrong(WantEveningBefore(scene), "a new disk has an evening before its first");
+  box.Off();
+  return ok;
+}
+
 }  // namespace
 
 std::vector<Check> DataChecks() {
-  return {{"ruined-data",
+  return {{"journal",
+           "What the box said in an evening is kept over a power cut",
+           false,
+           KeepsTheJournal,
+           SetupOn(""),
+           {},
+           TheFirstEveningHasNoneBefore,
+           true},
+          {"ruined-data",
            "A ruined data partition is mended or made anew by the service key",
            false,
            Ruined,
-           RuinedSetup(""),
+           SetupOn(""),
            {},
            NothingIsMendedWithoutTheKey,
            true}};

@@ -94,7 +94,7 @@ def folder_of(name, user):
 
 
 def make_data(out, size_mib):
-    """An ext4 with the settings in it, folders of the stage's and the lips' own, empty, and no time but the image's."""
+    """An ext4 with the settings in it, folders of the journal's, the stage's and the lips' own, empty, and no time but the image's."""
     os.environ["E2FSPROGS_FAKE_TIME"] = os.environ["SOURCE_DATE_EPOCH"]
     data = out / "data.ext4"
     data.unlink(missing_ok=True)
@@ -102,7 +102,7 @@ def make_data(out, size_mib):
         "-L", "kaori-data", data, f"{size_mib}M")
     users = {line.split(":")[0]: line.split(":") for line in (out / "root/etc/passwd").read_text().splitlines()}
     settings = Path(__file__).with_name("box.toml")
-    for change in ("mkdir settings", f"write {settings} settings/box.toml",
+    for change in ("mkdir journal", "mkdir settings", f"write {settings} settings/box.toml",
                    *(f"set_inode_field settings/box.toml {field}" for field in ("uid 0", "gid 0", "mode 0100644")),
                    *folder_of("own", users["kaori-stage"]), *folder_of("lips", users["kaori-lips"])):
         run("debugfs", "-w", "-R", change, data)

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
 
 namespace kaori::boot {
@@ -29,10 +30,8 @@ std::optional<fs::path> DiskOf(const fs::path& partition) {
 
 // Slaves of the verified root are its data and its hash tree; both lie on one disk, so that the first one will do.
 std::optional<fs::path> DiskOfRoot(const fs::path& blocks) {
-  std::error_code failed;
-  for (const auto& slave : fs::directory_iterator(blocks / kRoot / "slaves", failed))
-    return DiskOf(slave.path());
-  return std::nullopt;
+  const auto slaves = ListFolder(blocks / kRoot / "slaves");
+  return slaves && !slaves->empty() ? DiskOf(slaves->front()) : std::nullopt;
 }
 
 }  // namespace
@@ -41,9 +40,8 @@ std::optional<fs::path> DiskOfRoot(const fs::path& blocks) {
 std::optional<std::string> FindDataPartition(const fs::path& blocks) {
   const auto disk = DiskOfRoot(blocks);
   if (!disk) return std::nullopt;
-  std::error_code failed;
-  for (const auto& partition : fs::directory_iterator(*disk, failed))
-    if (IsNamedData(partition.path())) return partition.path().filename().string();
+  for (const fs::path& partition : ListFolder(*disk).value_or(std::vector<fs::path>{}))
+    if (IsNamedData(partition)) return partition.filename().string();
   return std::nullopt;
 }
 

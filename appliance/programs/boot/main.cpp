@@ -22,6 +22,7 @@
 #include "appliance/programs/boot/card.h"
 #include "appliance/programs/boot/data_partition.h"
 #include "appliance/programs/boot/known_shaders.h"
+#include "appliance/programs/boot/machine_id.h"
 #include "appliance/programs/boot/profile.h"
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
@@ -146,23 +147,25 @@ std::string g_ruined;
 // (ext4(5), sb=, in KiB).
 constexpr std::array<const char*, 3> kSuperblocks{"", "sb=8193", "sb=131072"};
 
-// Mounts what a show keeps. Where this fails systemd tries once more, and the show plays without. /proc and
-// /sys come first: the partition is looked for in the latter. systemd finds both mounted.
-void MountData() {
+// Mounts what a show keeps, and says whether it is there. Where this fails systemd tries once more, and the show plays
+// without. /proc and /sys come first: the partition is looked for in the latter. systemd finds both mounted.
+bool MountData() {
   ::mount("proc", "/proc", "proc", kPlainMount, nullptr);
   ::mount("sysfs", "/sys", "sysfs", kPlainMount, nullptr);
   const auto partition = kaori::boot::FindDataPartition("/sys/class/block");
-  if (!partition) return Report("there is no data partition beside the root: nothing is kept");
+  if (!partition) return Report("there is no data partition beside the root: nothing is kept"), false;
   const std::string device = "/dev/" + *partition;
   const auto mounts = [&](const char* options) {
     return ::mount(device.c_str(), kData, "ext4", kPlainMount, options) == 0;
   };
   const auto* const by = std::ranges::find_if(kSuperblocks, mounts);
-  if (by == kSuperblocks.begin()) return;
+  if (by == kSuperblocks.begin()) return true;
   if (by != kSuperblocks.end())
-    return Report("the data partition " + device + " has lost its first superblock and is mounted by a copy");
+    return Report("the data partition " + device + " has lost its first superblock and is mounted by a copy"),
+           true;
   Report("the data partition " + device + " cannot be mounted: nothing is kept until the service key is on");
   g_ruined = device;
+  return false;
 }
 
 // Reads ahead in a process of its own, while a processor has nothing else to do; at most half of the free memory.
@@ -199,6 +202,17 @@ void ApplySettings() {
   if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
 }
 
+// Lays the box's own number over the root's empty /etc/machine-id: the journal keeps its files in a folder of that name, and
+// without it systemd would make up another number at each start. A copy in memory, so that nothing holds the partition.
+void ApplyMachineId() {
+  const auto id = kaori::boot::KeptMachineId(std::string(kData) + "/machine-id");
+  if (!id) return Report(id.error().message());
+  WriteSetting("machine-id", *id + "\n");
+  const std::string copy = std::string(kProfiles) + "/machine-id";
+  if (::mount(copy.c_str(), "/etc/machine-id", nullptr, MS_BIND, nullptr) != 0)
+    Report("the box's own number cannot be laid over /etc/machine-id");
+}
+
 // Everything before systemd. The splash has a process of its own, so that a slow card holds nothing up.
 void Boot() {
   auto mounted = MakePipe();
@@ -213,10 +227,11 @@ void Boot() {
   }
   mounted->read_end.reset();
   done->write_end.reset();
-  MountData();
+  const bool keeps = MountData();
   mounted->write_end.reset();
   GiveCards();
   ApplySettings();
+  if (keeps) ApplyMachineId();
   if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder))
     Report("Mesa cannot be told which shaders it has");
   if (child > 0) AwaitClose(done->read_end, kLongestSplash_ms);

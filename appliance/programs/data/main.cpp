@@ -56,7 +56,7 @@ Result<void> AwaitKey(const std::string& board) {
 
 // The programs that keep something find the partition when they start. The last picture stays meanwhile.
 void RestartKeepers() {
-  for (const char* unit : {"kaori-stage.service", "kaori-lips.service"})
+  for (const char* unit : {"kaori-stage.service", "kaori-lips.service", "kaori-journal.service"})
     if (const auto status = kaori::RunProgram({"/bin/systemctl", "restart", "--no-block", unit}); !status)
       kaori::LogWarning("{}", status.error().message());
 }
