@@ -19,26 +19,26 @@ constexpr Duration kSerialAgentAskAgain = std::chrono::seconds(2);
 }  // namespace
 
 std::optional<AgentAnswer> ParseAnswer(std::string& waiting) {
-  const std::size_t begin = waiting.find(kBegin);
-  if (begin == std::string::npos) return waiting.clear(), std::nullopt;
-  waiting.erase(0, begin);
-  const std::size_t line_end = waiting.find('\n');
-  if (line_end == std::string::npos) return std::nullopt;
-  const std::string_view head = std::string_view(waiting).substr(0, line_end);
-  const std::string_view numbers = head.substr(std::min(1 + kVerdictBytes, line_end));
-  const std::size_t space = std::min(numbers.find(' '), numbers.size());
-  const auto number = ParseNumber<std::uint32_t>(numbers.substr(0, space));
-  const auto length = ParseNumber<std::size_t>(numbers.substr(std::min(space + 1, numbers.size())));
-  // A byte of 2 that begins no answer is noise: looked for behind it.
-  if (!number || !length) return waiting.erase(0, 1), ParseAnswer(waiting);
-  if (waiting.size() - (line_end + 1) < *length) return std::nullopt;
-  AgentAnswer answer{*number, waiting.compare(1, kVerdictBytes, "OK ") == 0,
-                     waiting.substr(line_end + 1, *length)};
-  waiting.erase(0, line_end + 1 + *length);
-  return answer;
+  for (std::size_t begin = waiting.find(kBegin); begin != std::string::npos;
+       begin = waiting.find(kBegin, begin + 1)) {
+    const std::size_t line_end = waiting.find('\n', begin);
+    if (line_end == std::string::npos) return waiting.erase(0, begin), std::nullopt;
+    const std::string_view head = std::string_view(waiting).substr(begin, line_end - begin);
+    const std::string_view numbers = head.substr(std::min(1 + kVerdictBytes, head.size()));
+    const std::size_t space = std::min(numbers.find(' '), numbers.size());
+    const auto number = ParseNumber<std::uint32_t>(numbers.substr(0, space));
+    const auto length = ParseNumber<std::size_t>(numbers.substr(std::min(space + 1, numbers.size())));
+    // A byte of 2 that begins no answer is noise: looked for behind it.
+    if (!number || !length) continue;
+    if (waiting.size() - (line_end + 1) < *length) return waiting.erase(0, begin), std::nullopt;
+    AgentAnswer answer{*number, head.substr(1).starts_with("OK "), waiting.substr(line_end + 1, *length)};
+    waiting.erase(0, line_end + 1 + *length);
+    return answer;
+  }
+  waiting.clear();
+  return std::nullopt;
 }
 
-// Asks again and again: until the agent runs, the guest's kernel has the line and answers nothing.
 Result<void> SerialAgentDriver::Find(Duration longest) {
   auto stream = Stream::Call(path_, waiter_, longest);
   if (!stream) return tl::unexpected(stream.error());
