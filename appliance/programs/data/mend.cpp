@@ -13,17 +13,33 @@ namespace {
 constexpr const char* kCheck = "/sbin/e2fsck";
 constexpr const char* kMake = "/sbin/mke2fs";
 constexpr const char* kSystemctl = "/bin/systemctl";
-// e2fsck(8): 1 errors were mended, 2 the same and the system should start anew; greater ones were not mended.
-constexpr int kMostMended = 3;
+// e2fsck(8): 1 errors were mended, 2 the same and the system should start anew; 4 errors are left, 8 it finds no file system
+// that it could mend. Any other status, or a signal, says nothing of the file system.
+constexpr int kMostMended = 3, kErrorsLeft = 4, kNoFileSystem = 8;
 // How kaori-boot begins each line about the partition.
 constexpr std::string_view kOfPartition = "the data partition ";
 
-// Errors: io_error where the program's status is greater than `most`.
-Result<void> RunWell(const Partition& partition, const std::vector<std::string>& words, int most = 0) {
+tl::unexpected<Error> FailedWith(int status, const Partition& partition, const std::string& program) {
+  return Fail(std::errc::io_error, fmt::format("{} {}: status {}", program, partition.device, status));
+}
+
+// Errors: io_error where the program's status is not 0.
+Result<void> RunWell(const Partition& partition, const std::vector<std::string>& words) {
   const auto status = partition.run(words);
   if (!status) return tl::unexpected(status.error());
-  if (*status <= most) return {};
-  return Fail(std::errc::io_error, fmt::format("{} {}: status {}", words[0], partition.device, *status));
+  if (*status == 0) return {};
+  return FailedWith(*status, partition, words[0]);
+}
+
+// Whether the file system is whole, or was mended; false where it is beyond mending. Errors: those of a check that came to no
+// end, which says nothing of what is kept.
+Result<bool> Save(const Partition& partition) {
+  const auto status = partition.run({kCheck, "-f", "-y", partition.device});
+  if (!status) return tl::unexpected(status.error());
+  if (*status >= 0 && *status <= kMostMended) return true;
+  const int left = *status & ~kMostMended;
+  if (left == kErrorsLeft || left == kNoFileSystem || left == (kErrorsLeft | kNoFileSystem)) return false;
+  return FailedWith(*status, partition, kCheck);
 }
 
 // A unit that failed when the box started is not started again before it is reset.
@@ -40,16 +56,17 @@ Result<void> MakeAnew(const Partition& partition) {
 
 }  // namespace
 
-// Whatever keeps the old file system from being mended and mounted leads to a new one, also an e2fsck that
-// could not be run or did not come to its end.
+// Only what e2fsck has found beyond mending is replaced. A check that was killed, or a mount that systemd refuses although the
+// file system is whole, is tried again later: what is kept is worth the wait.
 Result<Mended> Mend(const Partition& partition) {
-  auto saved = RunWell(partition, {kCheck, "-f", "-y", partition.device}, kMostMended);
-  if (saved) saved = Mount(partition);
-  if (saved) return Mended::kWhole;
-  LogWarning("{}; the data partition is made anew", saved.error().message());
-  if (auto made = MakeAnew(partition); !made) return tl::unexpected(made.error());
+  const auto saved = Save(partition);
+  if (!saved) return tl::unexpected(saved.error());
+  if (!*saved) {
+    LogWarning("{} cannot mend {}; the data partition is made anew", kCheck, partition.device);
+    if (auto made = MakeAnew(partition); !made) return tl::unexpected(made.error());
+  }
   if (auto mounted = Mount(partition); !mounted) return tl::unexpected(mounted.error());
-  return Mended::kMadeAnew;
+  return *saved ? Mended::kWhole : Mended::kMadeAnew;
 }
 
 // Faults of other things stay, in their order.

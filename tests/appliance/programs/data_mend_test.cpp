@@ -102,6 +102,29 @@ TEST_F(DataPartition, IsMadeAnewWhereNothingIsLeft) {
   EXPECT_EQ(asked_.front(), "/sbin/e2fsck -f") << "what can be saved is saved first";
 }
 
+TEST_F(DataPartition, IsLeftAloneWhereTheCheckCameToNoEnd) {
+  constexpr int kCancelled = 32, kUsage = 16, kKilled = 137;
+  for (const int status : {kCancelled, kUsage, kKilled}) {
+    asked_.clear();
+    Partition killed = AsPartition();
+    killed.run = [&, run = killed.run](const std::vector<std::string>& words) -> Result<int> {
+      return words[0] == "/sbin/e2fsck" ? status : run(words);
+    };
+    EXPECT_FALSE(Mend(killed)) << status;
+    EXPECT_TRUE(asked_.empty()) << "nothing else is run: " << asked_.front();
+    EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n") << status;
+  }
+}
+
+TEST_F(DataPartition, IsLeftAloneWhereItIsWholeAndNotMounted) {
+  Partition refused = AsPartition();
+  refused.run = [run = refused.run](const std::vector<std::string>& words) -> Result<int> {
+    return words[1] == "start" ? 1 : run(words);
+  };
+  EXPECT_FALSE(Mend(refused));
+  EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n");
+}
+
 // A cut between any two programs leaves a partition that the next try mends.
 TEST_F(DataPartition, IsMendedByTheNextTryWherePowerWasCut) {
   for (std::size_t last = 1; last <= 5; ++last) {
