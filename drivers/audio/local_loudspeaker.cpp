@@ -44,9 +44,7 @@ Result<ports::Playout> LocalLoudspeaker::Write(std::span<const std::int16_t> sam
   for (std::size_t n = 0; n < frames * channels; ++n)
     wire::PutU16(packet_, 2 * n, static_cast<std::uint16_t>(samples[n]));
   const auto sent = SendPacket(socket_.get(), packet_);
-  // Nobody is told of the difference: a simulator that does not read
-  // looks like a device that does not play.
-  // The simulator reads too slowly: as a full buffer.
+  // A simulator that reads too slowly looks like a device whose buffer is full.
   if (!sent && sent.error().cause == std::errc::resource_unavailable_try_again) return full;
   if (!sent) return Fail(std::errc::no_such_device, "play on " + name_);
   written_ += frames;

@@ -11,6 +11,7 @@ Result<UniqueFd> ConnectToStream(const std::string& path) {
   const auto address = UnixAddress(path);
   if (!address) return Fail(std::errc::filename_too_long, "connect to " + path);
   UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) return FailErrno("connect to " + path);
   if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) < 0)
     return FailErrno("connect to " + path);
   return socket;

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "drivers/base/folder.h"
+
 namespace kaori::camera {
 namespace {
 
@@ -21,7 +23,7 @@ std::string LastError() {
 }  // namespace
 
 Result<std::unique_ptr<CameraLibrary>> LoadCameraPlugin(const std::string& file) {
-  if (!std::filesystem::exists(file)) return Unusable(file, "it is not there");
+  if (!IsThere(file)) return Unusable(file, "it is not there");
   // RTLD_NOW: a symbol that is missing is found here, and not in the middle of a show.
   void* loaded = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // Never closed: the cameras' code is in it.
   if (loaded == nullptr) return Unusable(file, LastError());

@@ -30,10 +30,10 @@ class PolledInput final : public InputLine {
   Result<LineEdge> ReadEdge() override {
     const auto nothing = [] {
       return Fail(std::errc::resource_unavailable_try_again, "read an edge of a polled GPIO line");
-      // A read of the timer takes its expirations, and fails with EAGAIN until the next. Several
-      // that have passed are one look at the line.
     };
     // Before its turn the line is not read at all: reading a chip behind USB takes milliseconds.
+    // A read of the timer takes its expirations, and fails with EAGAIN until the next. Several
+    // that have passed are one look at the line.
     std::uint64_t ticks = 0;
     if (::read(timer_.get(), &ticks, sizeof ticks) < 0) return nothing();
     const auto level = plain_->Level();

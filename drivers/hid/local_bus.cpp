@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "drivers/base/folder.h"
 #include "drivers/base/packet_socket.h"
 #include "drivers/hid/local_channel.h"
 #include "firmware/wire/link.h"
@@ -71,8 +72,8 @@ Result<void> LocalHidBus::WatchFolder() {
   if (auto joined = Join(epoll_.get(), watch.get()); !joined) return joined;
   watch_ = std::move(watch);
   watching_ = true;
-  for (const auto& entry : fs::directory_iterator(folder_, error))
-    Refresh(PortOf(entry.path().filename().string()));
+  for (const fs::path& path : ListFolder(folder_).value_or(std::vector<fs::path>{}))
+    Refresh(PortOf(path.filename().string()));
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/folder.h"
 #include "drivers/base/open_cause.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/timer.h"
@@ -52,10 +53,10 @@ Result<std::vector<std::string>> MidiBus::Ports() {
   (void)!::read(timer_.get(), &expirations, sizeof expirations);
   nodes_.clear();
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folders_.classes, error)) {
-    const std::string name = entry.path().filename().string();
+  for (const fs::path& path : ListFolder(folders_.classes).value_or(std::vector<fs::path>{})) {
+    const std::string name = path.filename().string();
     if (!name.starts_with("midiC") || !name.ends_with("D0")) continue;
-    const fs::path usb = UsbDeviceAbove(fs::canonical(entry.path(), error));
+    const fs::path usb = UsbDeviceAbove(fs::canonical(path, error));
     if (error || usb.empty()) continue;
     nodes_[usb.filename().string()] = {
         .path = folders_.nodes / name, .vendor = IdIn(usb / "idVendor"), .product = IdIn(usb / "idProduct")};

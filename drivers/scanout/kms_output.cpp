@@ -158,7 +158,8 @@ std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsPrefer
   std::erase_if(modes, [&](const auto& mode) { return IsRefused(preferences, connector.id, mode); });
   auto chosen = ChooseMode(modes);
   if (IsRefused(preferences, connector.id, chosen.mode)) return std::nullopt;
-  if (preferences.mode || modes.size() < connector.modes.size())
+  // A refusal of another mode than the one that is chosen of all changes nothing.
+  if (preferences.mode || IsRefused(preferences, connector.id, ChooseMode(connector.modes).mode))
     chosen.origin = ports::ModeOrigin::kSubstitute;
   return chosen;
 }

@@ -122,8 +122,8 @@ std::optional<UsbBytes> GpioBridge::Feature(std::uint8_t report) const {
       // Clock 100 kHz (0x000186A0, big-endian), own address 2, no time-outs: the
       // part's settings when it is new.
       return UsbBytes{kSmbusConfig, 0x00, 0x01, 0x86, 0xA0, 0x02, 0, 0, 0, 0, 0, 0, 0, 0};
-    // Vendor, product, 100 mA in units of 2 mA, bus powered, release 1.0.
     case kUsbConfig:
+      // Vendor, product, 100 mA in units of 2 mA, bus powered, release 1.0.
       return UsbBytes{kUsbConfig, 0xC4, 0x10, 0x90, 0xEA, 50, 0, 1, 0, 0};
     default:
       return std::nullopt;

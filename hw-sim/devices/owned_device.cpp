@@ -184,6 +184,7 @@ void OwnedDevice::HandleOutput(std::span<const std::uint8_t> report) {
 }
 
 std::optional<std::vector<std::uint8_t>> OwnedDevice::picture(int key) const {
+  if (key < 0 || static_cast<std::size_t>(key) >= pictures_.size()) return std::nullopt;
   const Picture& shown = pictures_[static_cast<std::size_t>(key)];
   return shown.is_whole ? std::optional(shown.jpeg) : std::nullopt;
 }

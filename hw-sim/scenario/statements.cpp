@@ -258,9 +258,8 @@ bool ReadStatement(Tokenizer& tokens, Statement& into) {
   if (form == kForms.end())
     tokens.Complain(token->column,
                     fmt::format("unknown word \"{}\"; expected {}", token->text, kStatementWords));
-  // The word itself was read: the reader goes on behind it.
   else
-    form->read(tokens, token->text, into);
+    form->read(tokens, token->text, into);  // It goes on behind the word, which was read.
   return !tokens.bad();
 }
 

@@ -92,7 +92,7 @@ Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
 }
 
 // Freckles fade to either side of their middle.
-constexpr float kFrecklesFade_cm = 2.6F;  // To either side of their middle.
+constexpr float kFrecklesFade_cm = 2.6F;
 
 // A crease as strokes on both sides: a wide soft fold with a fine line in it; one width all over would look like a
 // scratch. Multiplying the skin by a brownish shade darkens it as blood and shadow do, at every colour of skin.

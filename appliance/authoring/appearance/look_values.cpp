@@ -18,7 +18,7 @@ float RealOr(Section& s, std::string_view key, float otherwise) {
   return static_cast<float>(s.NumberOr(key, otherwise));
 }
 
-// NaN fails the comparison, and is a fault.
+// Numbers that are not finite never come here: the reader of TOML refuses them.
 float Share(Section& s, std::string_view key, float otherwise) {
   const float value = RealOr(s, key, otherwise);
   if (!(value >= 0 && value <= 1)) s.Fault(key, "must lie between 0 and 1");

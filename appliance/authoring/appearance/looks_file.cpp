@@ -68,9 +68,8 @@ BrowLook ReadBrows(Section s) {
       end_cm < kLeastBrow_cm || end_cm > kFarthestBrow_cm)
     s.Fault("path", fmt::format("ends at x = {}, and must end between {} and {}: lengths are centimetres",
                                 end_cm, kLeastBrow_cm, kFarthestBrow_cm));
-  brows.hairs = static_cast<int>(NotNegative(s, "hairs", 0));
+  brows.hairs = s.WholeOr("hairs", 0, 0, kMostHairs);
   brows.smudge = Share(s, "smudge", 0);
-  if (brows.hairs > kMostHairs) s.Fault("hairs", fmt::format("must not exceed {}", kMostHairs));
   return brows;
 }
 
@@ -125,10 +124,9 @@ MoustacheLook ReadMoustache(Section s) {
                      Real(s, "from"),       Real(s, "reach"),
                      Real(s, "y"),          Real(s, "fall"),
                      Real(s, "thickness"),  Real(s, "thins_over"),
-                     Real(s, "turns_over"), static_cast<int>(NotNegative(s, "hairs", 300))};
+                     Real(s, "turns_over"), s.WholeOr("hairs", 300, 0, kMostHairs)};
   if (!(look.thins_over_cm > 0)) s.Fault("thins_over", "must be greater than 0");
   if (!(look.turns_over_cm > 0)) s.Fault("turns_over", "must be greater than 0");
-  if (look.hairs > kMostHairs) s.Fault("hairs", fmt::format("must not exceed {}", kMostHairs));
   return look;
 }
 

@@ -25,7 +25,7 @@ void PaintLids(const Texel& texel, const LidLook& look, Paint& paint);
 // Along the rings of the mouth.
 void PaintLips(const Texel& texel, const LipLook& look, Paint& paint);
 // A dog's lips: dark at the edge only.
-void PaintMuzzleLips(const Texel& texel, Paint& paint);  // A dog's: dark at the edge only.
+void PaintMuzzleLips(const Texel& texel, Paint& paint);
 void PaintBag(const Texel& texel, const LipLook& look, Paint& paint);
 // The band under the brow's hairs, or the whole brow where it has none.
 void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint);

@@ -21,6 +21,7 @@ constexpr std::size_t kMostPathPoints = 32;
 // In centimetres; outside of it a length was meant in metres or in millimetres.
 constexpr double kFarthest_cm = 60;
 constexpr float kLeastSkull_cm = 1;
+constexpr int kMostSeed = 1'000'000;  // Any will do; a number with more digits is a slip of the hand.
 
 // Both must be given: hair that grows on the wrong skull shows skin.
 Skull ReadSkull(Section& s) {
@@ -75,7 +76,7 @@ HairLook ReadHair(Section s) {
   hair.cut = kCuts[OneOf(s, "cut", kCuts)];
   hair.colour = Colour(s, "colour");
   hair.skull = ReadSkull(s);
-  hair.seed = static_cast<std::uint32_t>(NotNegative(s, "seed", 1));
+  hair.seed = static_cast<std::uint32_t>(s.WholeOr("seed", 1, 0, kMostSeed));
   hair.volume_cm = RealOr(s, "volume", hair.volume_cm);
   hair.flare = RealOr(s, "flare", hair.flare);
   hair.curl = RealOr(s, "curl", hair.curl);
@@ -108,7 +109,9 @@ GearLook ReadGear(Section s) {
   // One radius, or three.
   gear.radii_cm = s.Has("radius") ? glm::vec3(Real(s, "radius")) : glm::vec3(s.Point("radii"));
   const glm::vec3 r = gear.radii_cm;
-  if (!(r.x > 0 && r.y > 0 && (r.z > 0 || ring))) s.Fault("radii", "must be greater than 0");
+  const bool ball = gear.shape == GearLook::Shape::kBall;
+  if (!(r.x > 0 && (r.y > 0 || !(ball || ring)) && (r.z > 0 || !ball)))
+    s.Fault("radii", "must be greater than 0");
   gear.thickness_cm = RealOr(s, "thickness", gear.thickness_cm);
   if (!(gear.thickness_cm > 0)) s.Fault("thickness", "must be greater than 0");
   gear.mirrored = s.NumberOr("mirrored", 0) != 0;

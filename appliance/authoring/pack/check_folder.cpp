@@ -20,6 +20,7 @@
 #include "appliance/authoring/sculpt/sculpt.h"
 #include "appliance/core/show/check.h"
 #include "appliance/core/toml/value.h"
+#include "drivers/base/folder.h"
 
 namespace kaori::authoring {
 namespace {
@@ -140,7 +141,7 @@ class Checker {
   void CheckLooks() {
     for (const NamedLine& face : faces_.value_or(std::vector<NamedLine>{})) {
       const std::filesystem::path file = folder_ / "looks" / (face.name + ".toml");
-      if (std::filesystem::exists(file))
+      if (IsThere(file))
         Keep(appearance::ReadLook(file));
       else
         faults_.push_back(fmt::format("{}:{}: faces: \"{}\" has no look: {}: No such file", CastFile(),
@@ -150,18 +151,14 @@ class Checker {
 
   std::string CastFile() const { return (folder_ / "faces" / "cast.toml").string(); }
 
-  // A file that no name leads to would be passed over in silence. Sorted, since a folder has no order.
+  // A file that no name leads to would be passed over in silence.
   void CheckThatAllAreNamed(const char* kind) {
-    std::vector<std::string> lost;
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_ / kind, error)) {
-      const std::string name = entry.path().stem().string();
-      if (entry.path().extension() == ".toml" && name != "cast" && !Holds(*faces_, name))
-        lost.push_back(fmt::format("{}:{}: faces: does not name \"{}\", though {} is there", CastFile(),
-                                   faces_->empty() ? 1 : faces_->front().line, name, entry.path().string()));
+    for (const auto& path : ListFolder(folder_ / kind).value_or(std::vector<std::filesystem::path>{})) {
+      const std::string name = path.stem().string();
+      if (path.extension() == ".toml" && name != "cast" && !Holds(*faces_, name))
+        faults_.push_back(fmt::format("{}:{}: faces: does not name \"{}\", though {} is there", CastFile(),
+                                      faces_->empty() ? 1 : faces_->front().line, name, path.string()));
     }
-    std::ranges::sort(lost);
-    std::ranges::move(lost, std::back_inserter(faults_));
   }
 
   // For faults that no reader has found; there should be none.

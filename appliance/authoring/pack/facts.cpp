@@ -86,8 +86,9 @@ Result<Facts> GatherFacts(const std::filesystem::path& file,
   if (*signer) facts.signed_by = Hex(**signer);
   const auto show = LoadTimed(file, facts.load_ms);
   if (!show) return tl::unexpected(show.error());
-  std::error_code error;
-  facts.file_bytes = std::filesystem::file_size(file, error);
+  std::error_code unknown;
+  const auto bytes = std::filesystem::file_size(file, unknown);
+  facts.file_bytes = unknown ? 0 : bytes;
   facts.show = show->name;
   facts.motions = show->motions.size();
   facts.scenes = show->scenes.size();

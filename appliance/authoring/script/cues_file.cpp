@@ -37,7 +37,8 @@ class CueReader {
     part.AllowOnly({"name", "in_s"});
     const std::string name = part.Text("name");
     const std::uint16_t index = name.empty() ? std::uint16_t{0} : index_of(part, "name", name);
-    return show::CueCall{index, Between(part, "in_s", otherwise_s, show::kLongestCueFade_s, " s")};
+    if (!part.Has("in_s")) return show::CueCall{index, otherwise_s};
+    return show::CueCall{index, Between(part, "in_s", 0, show::kLongestCueFade_s, " s")};
   }
 
   // 0.4, or { to = 0.4, in_s = 2 }.

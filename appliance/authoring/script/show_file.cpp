@@ -8,6 +8,7 @@
 #include "appliance/authoring/script/backdrop_file.h"
 #include "appliance/authoring/script/show_parts.h"
 #include "appliance/core/roles/roles_file.h"
+#include "drivers/base/folder.h"
 
 namespace kaori::authoring {
 namespace {
@@ -105,10 +106,10 @@ std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::S
   const std::filesystem::path of_roles = script.folder / "roles.toml";
   roles::Items items = roles::ItemsOf(show.cast);
   items.all_known = known.faces && known.expressions;
-  if (std::filesystem::exists(of_roles))
+  if (IsThere(of_roles))
     std::ranges::copy(roles::ReadRolesFile(of_roles, items, show.roles), std::back_inserter(lines));
   const std::filesystem::path cues = script.folder / "cues.toml";
-  if (std::filesystem::exists(cues)) std::ranges::copy(CueFaults(script, cues), std::back_inserter(lines));
+  if (IsThere(cues)) std::ranges::copy(CueFaults(script, cues), std::back_inserter(lines));
   return lines;
 }
 

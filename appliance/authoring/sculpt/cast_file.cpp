@@ -8,25 +8,24 @@
 #include "appliance/authoring/sculpt/recipe_file.h"
 #include "appliance/authoring/sculpt/recipe_parts.h"
 #include "appliance/core/toml/nearest.h"
+#include "drivers/base/folder.h"
 
 namespace kaori::sculpt {
 namespace {
 
 // Whether the face that is read may be like another one. A face is like another one, and that one like none,
 // so that no circle can arise.
-enum class Borrowing { kAllowed, kRefused };  // A face is like another one, and that one like none.
+enum class Borrowing { kAllowed, kRefused };
 
 Result<FaceRecipe> ReadFace(const std::filesystem::path& path, Borrowing borrowing);
 
 // Other faces of the folder that this one may have meant, as a hint for the fault; empty where the one that
 // it names is there.
 std::string OtherFaces(const std::filesystem::path& model) {
-  if (std::filesystem::exists(model)) return "";
+  if (IsThere(model)) return "";
   std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(model.parent_path(), error))
-    if (entry.path().extension() == ".toml" && entry.path().stem() != "cast")
-      names.push_back(entry.path().stem().string());
+  for (const auto& path : ListFolder(model.parent_path()).value_or(std::vector<std::filesystem::path>{}))
+    if (path.extension() == ".toml" && path.stem() != "cast") names.push_back(path.stem().string());
   return fmt::format("; there is no face \"{}\"{}", model.stem().string(),
                      toml::DidYouMean(model.stem().string(), {names.begin(), names.end()}));
 }
@@ -92,7 +91,7 @@ Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder) {
     const std::filesystem::path face_file = folder / (name + ".toml");
     Result<FaceRecipe> face = ReadFace(face_file, Borrowing::kAllowed);
     // The list names a file that is not there: that is a fault of the list, at its line.
-    if (!face && !std::filesystem::exists(face_file))
+    if (!face && !IsThere(face_file))
       face = FailInput(
           fmt::format("{}:{}: faces: \"{}\": {}", path.string(), list->line, name, face.error().message()));
     complaints.Hear(face);

@@ -86,9 +86,8 @@ glm::dvec3 RingPoint(const std::vector<Body>& bodies, const EarRecipe& ear, cons
 }
 
 // A patch whose four sides are given: a Coons fill of the cap from the innermost ring (Coons 1967): both
-// ruled surfaces less the bilinear one.
+// ruled surfaces less the bilinear one. s runs along columns, t along rows, 0..1 over the block.
 template <class Point, class Side>
-// s runs along columns, t along rows, 0..1 over the block.
 Point Fill(const Side& side, int column, int row) {
   const Block& b = kEarBlock;
   const double s = static_cast<double>(column - b.column0) / (b.column1 - b.column0);

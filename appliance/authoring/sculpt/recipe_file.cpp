@@ -146,6 +146,9 @@ Tube ReadTube(toml::Section section) {
   return tube;
 }
 
+// More would only take time: a cage of this size is as smooth as a ball long before.
+constexpr int kMostSmoothing = 1000;
+
 // An animal: nothing of the reference face can be left out, only pulled.
 Warped ReadWarped(toml::Section& file) {
   file.AllowOnly({"shape", "mouth_fit", "expression_gain", "eye", "landmark", "ear_tube", "smoothing_steps"});
@@ -158,7 +161,7 @@ Warped ReadWarped(toml::Section& file) {
   warped.eye_scale = Positive(eye, "scale");
   warped.eye_radius = eye.Length_cm("radius", kEyeRadius_cm);
   warped.lid_thickness = eye.NumberOr("thickness", warped.lid_thickness);
-  warped.smoothing_steps = static_cast<int>(file.NumberOr("smoothing_steps", 0));
+  warped.smoothing_steps = file.WholeOr("smoothing_steps", 0, 0, kMostSmoothing);
   warped.ear = ReadTube(file.Part("ear_tube"));
   return warped;
 }

@@ -10,8 +10,7 @@ namespace kaori::sculpt {
 namespace {
 
 // Rounds |x| off at 0, as sqrt(x^2 + 0.25^2), so that mirrored bodies leave no crease there.
-constexpr double kSoftMiddle_cm =
-    0.25;  // Rounds |x| off at 0, so that mirrored bodies leave no crease there.
+constexpr double kSoftMiddle_cm = 0.25;
 // Project begins this far outside the aimed point: before any nose or chin that a table may have
 // aimed too deep.
 constexpr double kStart_cm = 5;

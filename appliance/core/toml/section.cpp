@@ -90,6 +90,13 @@ double Section::NumberOr(std::string_view key, double otherwise) {
   return Has(key) ? Number(key) : otherwise;
 }
 
+int Section::WholeOr(std::string_view key, int otherwise, int low, int high) {
+  const double value = NumberOr(key, otherwise);
+  if (value == std::floor(value) && value >= low && value <= high) return static_cast<int>(value);
+  Fault(key, fmt::format("is {}, and must be a whole number from {} to {}", value, low, high));
+  return low;
+}
+
 std::string Section::Text(std::string_view key) {
   const Value* value = Need(key, Value::Kind::kText, "a text in quotes");
   return value != nullptr ? value->text : std::string();

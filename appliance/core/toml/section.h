@@ -56,6 +56,9 @@ class Section {
   // one of the wrong kind is a fault all the same.
   double Number(std::string_view key);
   double NumberOr(std::string_view key, double otherwise);
+  // A whole number within both ends; anything else is a fault and reads as `low`. An `otherwise` that lies outside makes the key
+  // one that must be there.
+  int WholeOr(std::string_view key, int otherwise, int low, int high);
   // Centimetres. A fault outside of `within_cm` says so, since the usual cause is metres or millimetres.
   double Length_cm(std::string_view key, Range within_cm);
   double Length_cmOr(std::string_view key, double otherwise, Range within_cm);

@@ -45,6 +45,7 @@ Result<std::vector<std::uint8_t>> ReadAll(int fd, const std::string& name) {
   std::size_t have = 0;
   while (have < bytes.size()) {
     const ssize_t got = ::pread(fd, bytes.data() + have, bytes.size() - have, static_cast<off_t>(have));
+    if (got < 0 && errno == EINTR) continue;
     if (got < 0) return FailErrno("read " + name);
     if (got == 0) break;
     have += static_cast<std::size_t>(got);

@@ -81,13 +81,13 @@ class Reader {
     }
   }
 
-  // Written as "not within", so that NaN is refused as well.
+  // A place that no control point of this show has is a fault: the expression may be of another show.
   void ReadMoves(std::string_view table, const toml::Value& value) {
     if (value.kind != toml::Value::Kind::kTable)
       return Complain(value, fmt::format("{} must be a table", table));
     for (const auto& [name, item] : value.table) {
       const auto move = Numbers(item, 3);
-      const auto far = [](double part) { return !(std::abs(part) <= kFarthest_cm); };
+      const auto far = [](double part) { return std::abs(part) > kFarthest_cm; };
       if (!move || std::ranges::any_of(*move, far))
         Complain(item, fmt::format("{}: must be three numbers of 5 cm at most", name));
       else if (!AddMove(table, name, glm::vec3((*move)[0], (*move)[1], (*move)[2])))

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
@@ -26,7 +27,7 @@ std::string PrefixOf(int slot) {
 fs::path AsideOf(const fs::path& file) {
   const std::string first = file.string() + std::string(kStoreAside);
   fs::path aside = first;
-  for (int number = 2; fs::exists(aside); ++number) aside = first + std::to_string(number);
+  for (int number = 2; IsThere(aside); ++number) aside = first + std::to_string(number);
   return aside;
 }
 
@@ -46,23 +47,17 @@ int SlotOf(const fs::path& file) {
   return -1;
 }
 
-// Sorted, so that of two files for one slot the same one is read each time.
+// Sorted, so that of two files for one slot the same one is read each time. A folder that is not there holds nothing.
 std::vector<fs::path> FilesOf(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code none;  // A folder that is not there holds nothing.
-  for (const auto& entry : fs::directory_iterator(folder, none))
-    if (SlotOf(entry.path()) >= 0) files.push_back(entry.path());
-  std::ranges::sort(files);
+  std::vector<fs::path> files = ListFolder(folder).value_or(std::vector<fs::path>{});
+  std::erase_if(files, [](const fs::path& file) { return SlotOf(file) < 0; });
   return files;
 }
 
 // Files that were kept aside and could come back, under the names that they have now.
 std::vector<fs::path> AsidesOf(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none))
-    if (SlotOf(BeforeAside(entry.path())) >= 0) files.push_back(entry.path());
-  std::ranges::sort(files);
+  std::vector<fs::path> files = ListFolder(folder).value_or(std::vector<fs::path>{});
+  std::erase_if(files, [](const fs::path& file) { return SlotOf(BeforeAside(file)) < 0; });
   return files;
 }
 

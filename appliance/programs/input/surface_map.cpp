@@ -10,6 +10,7 @@
 
 #include "appliance/core/toml/section.h"
 #include "appliance/programs/input/settings.h"
+#include "drivers/base/folder.h"
 
 namespace kaori::input {
 namespace {
@@ -22,14 +23,6 @@ constexpr int kMostMidi = 127;
 constexpr int kMidiChannels = 16;
 // The most that repaint_s may be: for so long a lamp may stay wrong on a surface that forgets what it was told.
 constexpr double kLongestRepaint_s = 60;
-
-// A whole number within both ends; a fault and `low` where it is anything else.
-int Whole(toml::Section& section, std::string_view key, int otherwise, int low, int high) {
-  const double value = section.NumberOr(key, otherwise);
-  if (value == std::floor(value) && value >= low && value <= high) return static_cast<int>(value);
-  section.Fault(key, fmt::format("is {}, and must be a whole number from {} to {}", value, low, high));
-  return low;
-}
 
 // Hexadecimal digits, all of them.
 std::optional<unsigned> Hex(std::string_view text) {
@@ -96,9 +89,9 @@ std::vector<std::uint8_t> ReadBytes(toml::Section& section, std::string_view key
 // They are numbered on from the table before. A mode that does not exist adds none of them.
 void ReadDials(toml::Section dial, decode::MidiMap& map) {
   dial.AllowOnly({"channel", "control", "count", "mode"});
-  const int channel = Whole(dial, "channel", 1, 1, kMidiChannels);
-  const int first = Whole(dial, "control", -1, 0, kMostMidi);
-  const int count = Whole(dial, "count", 1, 1, kMostMidi + 1 - first);
+  const int channel = dial.WholeOr("channel", 1, 1, kMidiChannels);
+  const int first = dial.WholeOr("control", -1, 0, kMostMidi);
+  const int count = dial.WholeOr("count", 1, 1, kMostMidi + 1 - first);
   const std::string mode = dial.Text("mode");
   const auto* const found = std::ranges::find(decode::kMidiDialModeNames, mode);
   if (found == decode::kMidiDialModeNames.end())
@@ -117,9 +110,9 @@ void ReadButtons(toml::Section button, decode::MidiMap& map) {
   button.AllowOnly({"channel", "note", "control", "count", "lamp"});
   const bool is_control = button.Has("control");
   if (is_control == button.Has("note")) return button.Fault("note", "either a note or a control is needed");
-  const int channel = Whole(button, "channel", 1, 1, kMidiChannels);
-  const int first = Whole(button, is_control ? "control" : "note", -1, 0, kMostMidi);
-  const int count = Whole(button, "count", 1, 1, kMostMidi + 1 - first);
+  const int channel = button.WholeOr("channel", 1, 1, kMidiChannels);
+  const int first = button.WholeOr(is_control ? "control" : "note", -1, 0, kMostMidi);
+  const int count = button.WholeOr("count", 1, 1, kMostMidi + 1 - first);
   const toml::Value* lamp = button.Find("lamp");
   if (lamp != nullptr && lamp->kind != toml::Value::Kind::kSwitch)
     button.Fault("lamp", "must be true or false");
@@ -158,7 +151,7 @@ SurfaceMap ReadMap(toml::Section file, const fs::path& folder) {
   SurfaceMap map;
   map.name = file.Text("name");
   map.usb = ReadUsb(file);
-  map.counts_per_turn = Whole(file, "counts_per_turn", 0, 0, kMostCountsOfATurn);
+  map.counts_per_turn = file.WholeOr("counts_per_turn", 0, 0, kMostCountsOfATurn);
   ReadTargets(file, "dials", map.dials);
   ReadTargets(file, "buttons", map.buttons);
   const std::string pictures = file.TextOr("pictures", "");
@@ -177,14 +170,11 @@ SurfaceMap::SurfaceMap() {
 // By name, so that of two files for one device it is always the same that is refused. A folder that cannot be
 // read is the only fault then.
 std::vector<std::string> ReadSurfaceMaps(const fs::path& folder, std::vector<SurfaceMap>& maps) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  if (error) return {fmt::format("{}: {}", folder.string(), error.message())};
-  std::ranges::sort(files);
+  const auto files = ListFolder(folder);
+  if (!files) return {files.error().message()};
   std::vector<std::string> wrong;
-  for (const fs::path& path : files) {
+  for (const fs::path& path : *files) {
+    if (path.extension() != ".toml") continue;
     const auto value = toml::ReadToml(path);
     if (!value) {
       wrong.push_back(value.error().message());

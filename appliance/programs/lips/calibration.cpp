@@ -207,7 +207,10 @@ float Calibration::progress() const {
 
 // Whatever changes the settings passes here, so that it can be undone.
 void Calibration::Change(const LipSettings& to) {
-  if (before_.size() >= kMaxChanges) before_.erase(before_.begin());
+  if (before_.size() >= kMaxChanges) {
+    before_.erase(before_.begin());
+    ++forgotten_;
+  }
   before_.push_back(settings_);
   settings_ = to;
   gesture_ = 0;
@@ -232,7 +235,8 @@ bool Calibration::Revert() {
 }
 
 void Calibration::RevertTo(std::size_t changes) {
-  while (before_.size() > changes) Revert();
+  while (this->changes() > changes && Revert()) {
+  }
 }
 
 }  // namespace kaori::lips

@@ -59,10 +59,10 @@ class Calibration {
 
   // Undoes the newest change. Returns false where there is none.
   bool Revert();
-  // Undoes all but the first `changes`.
+  // Undoes all but the first `changes`, as far back as changes are kept.
   void RevertTo(std::size_t changes);
-  // How many changes can be undone, 1000 at most.
-  std::size_t changes() const { return before_.size(); }
+  // How many changes there are that were not undone; of them the last 1000 can be.
+  std::size_t changes() const { return forgotten_ + before_.size(); }
 
   // The settings with all changes that were not undone.
   const LipSettings& settings() const { return settings_; }
@@ -85,7 +85,8 @@ class Calibration {
   float ScaleOf(Measurement& measured) const;
 
   LipSettings settings_;
-  std::vector<LipSettings> before_;  // The oldest first; one entry for each change.
+  std::vector<LipSettings> before_;  // The oldest first; one entry for each change that can be undone.
+  std::size_t forgotten_ = 0;        // Older changes, which no longer can.
   std::uint32_t gesture_ = 0;        // Of the newest change.
   std::optional<Measurement> measurement_;
   std::optional<Time> shut_at_;  // When the mouth at rest was measured.

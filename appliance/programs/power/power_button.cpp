@@ -1,5 +1,7 @@
 #include "appliance/programs/power/power_button.h"
 
+#include "drivers/base/folder.h"
+
 #include <fcntl.h>
 #include <linux/input.h>
 #include <sys/ioctl.h>
@@ -40,13 +42,9 @@ bool IsPress(const input_event& event) {
 
 // Devices that come later are not looked for: the machine's own buttons are there when the kernel has started.
 std::vector<PowerButton> PowerButton::FindAll(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> names;
-  std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
-    if (entry.path().filename().string().starts_with("event")) names.push_back(entry.path());
-  std::ranges::sort(names);
   std::vector<PowerButton> found;
-  for (const auto& name : names) {
+  for (const auto& name : ListFolder(folder).value_or(std::vector<std::filesystem::path>{})) {
+    if (!name.filename().string().starts_with("event")) continue;
     UniqueFd device(::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (device.valid() && IsOfTheMachine(device.get())) found.emplace_back(std::move(device));
   }

@@ -27,7 +27,7 @@ struct LastFaceFile {
   std::uint64_t show = 0;
 };
 
-// Tells one show's pack from another by how it begins: a sum over the first wire::kShowMark_bytes, among
+// Tells one show's pack from another by how it begins: a sum over the first last_face::kShowMark_bytes, among
 // which lies the checksum of the content. Errors: those of open(2) and read(2).
 Result<std::uint64_t> ShowMark(const std::filesystem::path& pack);
 

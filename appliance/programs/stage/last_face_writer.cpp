@@ -51,7 +51,7 @@ void LastFace::Writer::Write(const board::Performance& performance) {
 }
 
 // On the writer's own thread. The picture comes first and the end of the file says where
-// each part lies (firmware/wire/last_face.h).
+// each part lies (appliance/core/last_face/last_face.h).
 Result<void> LastFace::Writer::WriteOut() {
   MakePpm(image_, picture_);
   MakeState(performance_, state_);

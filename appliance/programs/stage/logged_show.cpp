@@ -1,6 +1,6 @@
 #include "appliance/programs/stage/logged_show.h"
 
-#include <unistd.h>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -12,6 +12,30 @@
 #include "drivers/base/whole_file.h"
 
 namespace kaori::stage {
+namespace {
+
+// A folder of nobody else's, gone with the object. Empty where it could not be made.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::error_code none;
+    std::string name = (std::filesystem::temp_directory_path(none) / "kaori-log-XXXXXX").string();
+    if (::mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code none;
+    if (!path_.empty()) std::filesystem::remove_all(path_, none);
+  }
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
 
 // The log carries the roles of its evening; they are laid over the show by way of a file, as the box does it.
 // The editor is opened for the expressions that it appends to the show, on which the numbers of the log count.
@@ -23,9 +47,9 @@ Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlo
   if (const auto mark = ShowMark(pack); mark && *mark != head.show)
     return FailInput(
         fmt::format("{}: the show log is of another show, or of another version of this one", pack.string()));
-  std::error_code none;
-  const auto folder = std::filesystem::temp_directory_path(none) / fmt::format("kaori-log-{}", ::getpid());
-  std::filesystem::create_directories(folder, none);
+  const TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
+  if (folder.empty()) return FailErrno("make a folder for the roles of the show log");
   if (!head.roles.empty()) {
     const auto file = folder / "roles.toml";
     if (auto written = WriteWholeFile(file, {AsBytes(head.roles)}); !written)
@@ -34,7 +58,6 @@ Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlo
     for (const std::string& fault : faults) LogWarning("{}", fault);
   }
   editor::ExpressionEditor::Open(own.empty() ? folder / "own" : own, *show);
-  std::filesystem::remove_all(folder, none);
   return show;
 }
 

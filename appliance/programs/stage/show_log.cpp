@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "drivers/base/checksum.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
@@ -48,11 +49,11 @@ std::optional<showlog::LogHead> HeadOf(const fs::path& file) {
 std::vector<LogOnDisk> LogsIn(const fs::path& folder) {
   std::vector<LogOnDisk> logs;
   std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+  for (const fs::path& path : ListFolder(folder).value_or(std::vector<fs::path>{})) {
     int number = 0;
-    const std::string name = entry.path().filename().string();
+    const std::string name = path.filename().string();
     if (!name.ends_with(kEnding) || std::sscanf(name.c_str(), "%9d-", &number) != 1) continue;
-    logs.push_back({entry.path(), number, entry.file_size(none), HeadOf(entry.path())});
+    logs.push_back({path, number, fs::file_size(path, none), HeadOf(path)});
   }
   std::ranges::sort(logs, {}, &LogOnDisk::number);
   return logs;

@@ -18,6 +18,7 @@
 #include "appliance/programs/surface/surface_update.h"
 #include "appliance/programs/surface/update_service.h"
 #include "drivers/base/event_loop.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
@@ -144,15 +145,11 @@ int Update(const Settings& settings, kaori::ports::HidBus& bus, int dial_boxes, 
 
 // A file that is no update is named, and the others count.
 std::vector<UpdateFile> ReadUpdates(const std::string& folder) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".update") paths.push_back(entry.path());
-  if (error) kaori::LogWarning("{}: {}", folder, error.message());
-  std::ranges::sort(paths);
+  const auto paths = kaori::ListFolder(folder);
+  if (!paths) kaori::LogWarning("{}", paths.error().message());
   std::vector<UpdateFile> files;
-  for (const fs::path& path : paths) {
+  for (const auto& path : paths.value_or(std::vector<std::filesystem::path>{})) {
+    if (path.extension() != ".update") continue;
     auto file = kaori::surface_update::ReadUpdateFile(path);
     if (file)
       files.push_back(std::move(*file));

@@ -68,8 +68,8 @@ void LinkPort::Receive() {
       Handle(std::span(buffer).first(packet->bytes));
     } else if (packet.error().cause == std::errc::resource_unavailable_try_again) {
       return;
-      // A packet that was too long is lost, and the connection goes on.
     } else if (packet.error().cause != std::errc::message_size) {
+      // A packet that was too long is lost, and the connection goes on.
       return HangUp();
     }
   }

@@ -87,6 +87,31 @@ TEST(AppearanceLooks, NameAnUnknownShapeOfGear) {
   EXPECT_THAT(look.Fault(), HasSubstr("must be one of \"rod\", \"ring\", \"ball\", \"disc\""));
 }
 
+TEST(AppearanceLooks, WantOfGearTheRadiiThatItsShapeHas) {
+  const auto fault_of = [](const std::string& shape, const std::string& radii) {
+    return ChangedLook("[clothes]",
+                       "[[gear]]\nshape = \"" + shape + "\"\ncolour = \"#000000\"\n" + radii + "\n[clothes]")
+        .Fault();
+  };
+  const std::string rod = "path = [[0, 0, 0], [0, 9, 0]]\n", other = "centre = [0, 9, 0]\n";
+  EXPECT_EQ(fault_of("rod", rod + "radii = [0.2, 0, 0]"), "no fault");
+  EXPECT_EQ(fault_of("disc", other + "radii = [0.2, 0, 0]"), "no fault");
+  EXPECT_EQ(fault_of("ring", other + "radii = [0.2, 0.3, 0]"), "no fault");
+  for (const auto& [shape, radii] :
+       {std::pair{"rod", "radii = [0, 1, 1]"}, std::pair{"ring", "radii = [1, 0, 1]"},
+        std::pair{"ball", "radii = [1, 1, 0]"}, std::pair{"disc", "radius = 0"}})
+    EXPECT_THAT(fault_of(shape, (shape == std::string("rod") ? rod : other) + radii),
+                HasSubstr("radii: must be greater than 0"))
+        << shape;
+}
+
+TEST(AppearanceLooks, NameANumberThatIsNotWhole) {
+  for (const char* seed : {"1.5", "-1", "1e300"})
+    EXPECT_THAT(ChangedLook("seed = 1\n", std::string("seed = ") + seed + "\n").Fault(),
+                HasSubstr("seed: is "))
+        << seed;
+}
+
 TEST(AppearanceLooks, NameABundleOfTooManyLocks) {
   const ChangedLook look("[clothes]",
                          "[[hair.bundle]]\npath = [[0, 9, 0], [0, 12, 0]]\nradius = [[0, 1], [1, 2]]\n"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "appliance/authoring/sculpt/sculpt.h"
-#include "tests/appliance/authoring/sculpt_bench.h"
+#include "tests/appliance/authoring/sculpt_fixture.h"
 
 namespace kaori::tests {
 namespace {
@@ -71,6 +71,13 @@ TEST(ShowFiles, AWordInPlaceOfANumberIsNamed) {
   ShowCopy show;
   show.Replace("faces/narrator.toml", "half_width = 2.5", "half_width = \"wide\"");
   EXPECT_THAT(show.Complaint(), HasSubstr("mouth.half_width: must be a number"));
+}
+
+TEST(ShowFiles, StepsOfSmoothingAreBounded) {
+  ShowCopy show;
+  show.Replace("faces/dog.toml", "smoothing_steps = 6", "smoothing_steps = 1e18");
+  EXPECT_THAT(show.Complaint(),
+              ContainsRegex("smoothing_steps: is 1e.18, and must be a whole number from 0 to 1000"));
 }
 
 TEST(ShowFiles, NoNumberMayBeInfinite) {

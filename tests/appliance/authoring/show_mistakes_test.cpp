@@ -256,6 +256,11 @@ TEST_F(CheckedFolder, RefusesTablesThatNestDeeperThanAParserCanFollow) {
   EXPECT_THAT(CheckFolder(show_).faults, Contains(ContainsRegex("show.toml:[0-9]+: is nested deeper than")));
 }
 
+TEST_F(CheckedFolder, TakesASceneOfACueWithoutATimeAsOneThatFadesAsItSaysItself) {
+  Replace("cues.toml", "panic = { name = \"studio\", in_s = 1.0 }", "panic = { name = \"studio\" }");
+  EXPECT_THAT(CheckFolder(show_).faults, ::testing::IsEmpty());
+}
+
 TEST_F(CheckedFolder, NamesAnExpressionThatFoldsTheSkin) {
   Append("expressions.toml", "[[expression]]\nname = \"pinched\"\nboth = { MC = [-1.6, 0, 0] }\n");
   const auto check = CheckFolder(show_);

@@ -184,6 +184,24 @@ TEST(Calibration, UndoesEveryChange) {
   EXPECT_FALSE(calibration.Revert());
 }
 
+TEST(Calibration, CountsOnAndGoesBackWhereMoreWasChangedThanCanBeUndone) {
+  Calibration calibration({});
+  const auto change = [&](int n) {
+    LipSettings settings = calibration.settings();
+    settings.key.spill = static_cast<float>(n);
+    calibration.Set(settings);
+  };
+  for (int n = 1; n <= 1500; ++n) change(n);
+  EXPECT_EQ(calibration.changes(), 1500U);
+  change(7);
+  change(8);
+  EXPECT_EQ(calibration.changes(), 1502U) << "a change is seen as one";
+  calibration.RevertTo(1500);
+  EXPECT_EQ(calibration.settings().key.spill, 1500);
+  calibration.RevertTo(0);
+  EXPECT_EQ(calibration.changes(), 502U) << "older ones are forgotten, and stay";
+}
+
 class LipSettingsFile : public ::testing::Test {
  protected:
   LipSettingsFile() { std::filesystem::create_directories(folder_); }

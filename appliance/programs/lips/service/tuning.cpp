@@ -66,9 +66,11 @@ void Tuning::Execute(const Command& command, Time now) {
     waiting_ = Waiting{command, now + kPictureTimeout};
     return;
   }
-  if (command.kind == CommandKind::kSave) save_number_ = command.number;
   std::string complaint = ExecuteNow(command);
-  if (command.kind != CommandKind::kSave || !complaint.empty()) Answer(command, std::move(complaint));
+  if (command.kind == CommandKind::kSave && complaint.empty())
+    save_number_ = command.number;
+  else
+    Answer(command, std::move(complaint));
   Apply();
 }
 
