@@ -11,7 +11,8 @@ show() {
     new) new_show "$@" ;;
     pack) pack_show "$@" ;;
     play) play_show "$@" ;;
-    '') fail "show wants new, pack or play; see ./box help" ;;
+    take) take_of_show "$@" ;;
+    '') fail "show wants new, pack, play or take; see ./box help" ;;
     *) fail "show knows no $verb; see ./box help" ;;
   esac
 }
@@ -49,6 +50,15 @@ pack_show() {
   build release kaori-atelier
   $BIN/kaori-atelier pack "${words[0]}" "${words[1]:-${words[0]%/}.kaori}" "${sign[@]}" ||
     fail "the show could not be packed; the reasons stand above"
+}
+
+# Names of files are the caller's, who may stand elsewhere.
+take_of_show() {
+  [[ $# -ge 1 ]] || fail "show take wants record, trim, stretch, gain, ease, loop, layer, punch or list; see kaori-atelier take --help"
+  need "${BUILD_PACKAGES[@]}"
+  build release kaori-atelier
+  local tool=$PWD/$BIN/kaori-atelier
+  cd "$CALLED_FROM" && exec "$tool" take "$@"
 }
 
 play_show() {

@@ -26,7 +26,7 @@ expect "--listen wants a value" demo --listen
 expect "expected an IPv4 address of this machine" demo --listen nowhere
 expect "expected an IPv4 address of this machine" demo --listen 192.168.0.256
 expect "--pack wants a value" demo --pack
-expect "show wants new, pack or play" show
+expect "show wants new, pack, play or take" show
 expect "show knows no dance" show dance
 expect "show new takes the name of one FOLDER" show new
 expect "exists already" show new /tmp
@@ -36,6 +36,7 @@ expect "is no folder of a show" show pack /nowhere
 expect "show pack knows no --loud" show pack --loud
 expect "--sign wants a KEYFILE" show pack /tmp --sign
 expect "show play takes a FOLDER" show play
+expect "show take wants record" show take
 expect "there is no show /nowhere" show play /nowhere
 expect "there is no show /nowhere" demo --pack /nowhere
 expect "there is no show /nowhere" image --pack /nowhere

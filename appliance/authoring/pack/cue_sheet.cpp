@@ -20,7 +20,8 @@ struct Words {
   const char *language, *title, *cue, *begins, *happens, *notes;
   const char *go, *with_previous, *after_previous, *then_waits, *or_after;
   const char *mouth_shut, *voice_quiet, *presence;
-  const char *scene, *face, *expression, *style, *light, *present, *absent, *motion, *sounding;
+  const char *scene, *face, *expression, *style, *light, *present, *absent, *motion, *sounding, *looping,
+      *no_motion;
   const char *at_once, *in_time;
   const char* rules;
 };
@@ -49,6 +50,8 @@ constexpr Words kEnglish{
     .absent = "she leaves the picture",
     .motion = "motion {0}",
     .sounding = "motion {0}, with sound",
+    .looping = "motion {0}, again and again",
+    .no_motion = "motions end",
     .at_once = "{0}, at once",
     .in_time = "{0}, {1} s",
     .rules = "A second GO within {1} s is refused. A jump to a cue takes {2} s. PANIC goes to the scene {0}.",
@@ -78,6 +81,8 @@ constexpr Words kJapanese{
     .absent = "画面から消える",
     .motion = "動き {0}",
     .sounding = "動き {0}(音つき)",
+    .looping = "動き {0}(くり返し)",
+    .no_motion = "動きを止める",
     .at_once = "{0}、カット",
     .in_time = "{0}、{1} 秒",
     .rules = "GO の後 {1} 秒間の GO は受けつけません。キューへの移動は {2} 秒。PANIC の場面は {0}。",
@@ -200,11 +205,14 @@ class CueSheetWriter {
     if (cue.light) lines.push_back(In(Say(words_.light, Number(cue.light->value * 100)), cue.light->in_s));
     if (cue.present)
       lines.push_back(In(cue.present->value > 0 ? words_.present : words_.absent, cue.present->in_s));
-    if (cue.motion >= 0) {
-      const show::Motion& motion = show_.motions[static_cast<std::size_t>(cue.motion)];
-      lines.push_back(Say(motion.sound.samples.empty() ? words_.motion : words_.sounding, motion.name));
-    }
+    if (cue.motion == show::kEndsMotion) lines.emplace_back(words_.no_motion);
+    if (cue.motion >= 0) lines.push_back(Line(show_.motions[static_cast<std::size_t>(cue.motion)]));
     return lines;
+  }
+
+  std::string Line(const show::Motion& motion) const {
+    if (motion.Loops()) return Say(words_.looping, motion.name);
+    return Say(motion.sound.samples.empty() ? words_.motion : words_.sounding, motion.name);
   }
 
   const show::Show& show_;

@@ -40,6 +40,8 @@ std::string Calls(const show::Show& show, const show::Call& call) {
       return fmt::format("cue {}", call.index < kCueVerbNames.size() ? kCueVerbNames[call.index] : "nothing");
     case show::CallKind::kSheet:
       return fmt::format("sheet {}", call.index + 1);
+    case show::CallKind::kMotion:
+      return "motion " + NameOf(show.motions, call.index);
   }
   return "nothing";
 }
@@ -154,7 +156,10 @@ void CompareRoles(const show::Show& before_show, const show::Show& after_show, L
 // By curves and samples, not by how much: a motion is looked at.
 void CompareMotion(const std::string& item, const show::Motion& a, const show::Motion& b, Lines& lines) {
   if (a.key_usage != b.key_usage) lines.push_back(item + ": is played by another key");
-  if (!std::ranges::equal(a.curves, b.curves, SameCurve)) lines.push_back(item + ": moves otherwise");
+  if (!std::ranges::equal(a.curves, b.curves, SameCurve) || a.recorded != b.recorded)
+    lines.push_back(item + ": moves otherwise");
+  if (a.loop_from_s != b.loop_from_s || a.loop_to_s != b.loop_to_s)
+    lines.push_back(item + ": loops otherwise");
   if (a.sound.channels != b.sound.channels || a.sound.samples != b.sound.samples)
     lines.push_back(item + ": sounds otherwise");
 }

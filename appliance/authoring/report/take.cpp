@@ -3,148 +3,192 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "appliance/authoring/takes/curve_names.h"
+#include "appliance/authoring/takes/edit.h"
 #include "appliance/core/performance/ease.h"
 #include "appliance/core/showlog/replay.h"
 
 namespace kaori::authoring {
 namespace {
 
-using performance::Mix;
 using performance::SmoothStep;
-using show::MotionCurve;
-using show::MotionKey;
+using show::Level;
 using show::MotionTarget;
 
-constexpr float kDegreesPerRad = 180 / std::numbers::pi_v<float>;
-// Less than this is the noise of a stick that nobody holds.
-// Radians, or a weight.
-constexpr float kMoves = 1e-3F;
+// Less than this, in degrees, is the noise of a stick that nobody holds; of weights a thousandth.
+constexpr float kMoves = 0.05F, kMovesWeight = 1e-3F;
+constexpr std::size_t kBrowCurves = 3, kMouthShapes = 4;
 
-using Keys = std::vector<MotionKey>;
-
-// What one frame adds to the curves, in their order.
+// What one frame says, in radians, metres and weights.
 struct Sample {
   float at_s = 0;
-  std::array<float, 7> values{};  // Head yaw, pitch, roll; gaze yaw, pitch; brows up, frown.
+  std::array<float, 7> values{};  // In the order of kCurveNames.
+  // A brow has curves for each way, since a channel only goes from 0 to 1: left up, right up, frown.
+  std::array<float, kBrowCurves> brows{};
+  std::array<float, kMouthShapes> mouth{};
 };
 
-// A brow has two curves, one for each way, since a channel only goes from 0 to 1.
+// Both lids: a wink of one eye has no curve of its own.
+float LidsOf(const performance::State& state) {
+  const auto shut = [&state](std::size_t eye, Level level) {
+    return std::max(SmoothStep(state.lids_held[eye]), state.levels[static_cast<std::size_t>(level)].value);
+  };
+  return std::min(shut(0, Level::kLidLeft), shut(1, Level::kLidRight));
+}
+
+// The shares of the mouth's four shapes, as MoveMouth adds them.
+std::array<float, kMouthShapes> MouthOf(const performance::State& state) {
+  const float open = state.mouth_open, wide = state.mouth_wide;
+  const float drive = SmoothStep(state.mouth_drive), said = state.mouth_said;
+  return {drive * (1 - open) * (1 - wide), drive * (1 - open) * wide, said * open * (1 - wide),
+          said * open * wide};
+}
+
 // The state has what operators moved, without life and motions on top of it: those play again by themselves.
 Sample SampleOf(const performance::State& state, float at_s) {
+  const float up = std::max(0.0F, state.brow), frown = std::max(0.0F, -state.brow);
   return {at_s,
-          {state.head.yaw_rad, state.head.pitch_rad, state.head.roll_rad, state.gaze.yaw_rad,
-           state.gaze.pitch_rad, std::max(0.0F, state.brow), std::max(0.0F, -state.brow)}};
+          {state.head.yaw_rad, state.head.pitch_rad, state.head.roll_rad, state.head.shift_m.z,
+           state.gaze.yaw_rad, state.gaze.pitch_rad, LidsOf(state)},
+          {up, up, frown},
+          MouthOf(state)};
 }
 
-// The name that the curve has in show.toml; empty: it is a channel.
-std::string_view NameOf(MotionTarget target) {
-  constexpr std::array<std::string_view, 7> kNames{"head_yaw",   "head_pitch", "head_roll", "gaze_yaw",
-                                                   "gaze_pitch", "lids",       ""};
-  return kNames[static_cast<std::size_t>(target)];
+// Which levels say what a curve of kCurveNames says.
+constexpr std::array<std::array<Level, 2>, 7> kLevelsOfCurves{{{Level::kHeadYaw, Level::kHeadYaw},
+                                                               {Level::kHeadPitch, Level::kHeadPitch},
+                                                               {Level::kHeadRoll, Level::kHeadRoll},
+                                                               {Level::kHeadLean, Level::kHeadLean},
+                                                               {Level::kGazeYaw, Level::kGazeYaw},
+                                                               {Level::kGazePitch, Level::kGazePitch},
+                                                               {Level::kLidLeft, Level::kLidRight}}};
+
+bool Has(std::uint32_t levels, Level level) {
+  return (levels >> static_cast<unsigned>(level) & 1U) != 0;
 }
 
-// Between two keys a motion eases (performance/motions.cpp): whether that is near enough to all keys between them.
-bool IsNear(const Keys& keys, std::size_t from, std::size_t to) {
-  const MotionKey &a = keys[from], &b = keys[to];
-  for (std::size_t i = from + 1; i < to; ++i) {
-    const float t = (keys[i].at_s - a.at_s) / (b.at_s - a.at_s);
-    if (std::abs(Mix(a.value, b.value, SmoothStep(t)) - keys[i].value) > kTakeError) return false;
-  }
-  return true;
+// Whether the motion has just begun in this state: -1 where it has not, else the seconds that it has played.
+float BegunSince(const performance::State& state, std::int32_t motion) {
+  for (const performance::Playing& voice : state.voices)
+    if (voice.motion == motion && voice.gain >= 1) return voice.at_s;
+  return -1;
 }
 
-// Leaves out what lies near enough on the way between others; at most a second is looked ahead.
-Keys Thinned(const Keys& keys) {
-  constexpr std::size_t kAhead = 60;
-  Keys kept{keys.front()};
-  for (std::size_t at = 0; at + 1 < keys.size();) {
-    std::size_t next = at + 1;
-    for (std::size_t far = std::min(at + kAhead, keys.size() - 1); far > next; --far)
-      if (IsNear(keys, at, far)) {
-        next = far;
-        break;
-      }
-    at = next;
-    kept.push_back(keys[at]);
-  }
-  return kept;
+tl::unexpected<Error> Refuse(const RecordOptions& options, std::string_view why) {
+  return FailInput(fmt::format("take \"{}\": {}", options.name, why));
 }
 
-// The log is played again up to the stretch and through it. A gap in it is refused: a motion across it would jump. Fewer than
+// The index of the motion with which the take begins; -1: with none.
+Result<std::int32_t> MotionBeside(const show::Show& show, const RecordOptions& options) {
+  if (options.with.empty()) return -1;
+  const auto found = std::ranges::find(show.motions, options.with, &show::Motion::name);
+  if (found == show.motions.end())
+    return Refuse(options, fmt::format("the show has no motion or take \"{}\"", options.with));
+  return static_cast<std::int32_t>(found - show.motions.begin());
+}
+
+// The log is played again up to the stretch and through it. A gap in it is refused: a take across it would jump. Fewer than
 // three frames are no movement.
 Result<std::vector<Sample>> Samples(const showlog::LogFile& log, const show::Show& show,
-                                    const TakeOptions& options) {
+                                    const RecordOptions& options) {
+  const auto beside = MotionBeside(show, options);
+  if (!beside) return tl::unexpected(beside.error());
   showlog::Replay replay(log, show);
   replay.GoTo(options.from);
   std::vector<Sample> samples;
   Time first{};
-  while (replay.Next() && replay.presented_at() < options.from + options.length) {
-    if (replay.presented_at() < options.from) continue;
-    if (samples.empty()) first = replay.presented_at();
+  float played_before_s = -1;  // Of the motion beside it, at the frame before.
+  while (replay.Next() && replay.presented_at() < options.to) {
+    const performance::State& state = replay.made().state;
+    const float played_s = *beside >= 0 ? BegunSince(state, *beside) : -1;
+    const bool begins = *beside < 0 || (played_s >= 0 && (played_before_s < 0 || played_s < played_before_s));
+    played_before_s = played_s;
+    if (replay.presented_at() < options.from || (samples.empty() && !begins)) continue;
+    if (samples.empty())
+      first = replay.presented_at() - FromSeconds(static_cast<double>(std::max(0.0F, played_s)));
     if (!samples.empty() && !replay.follows())
-      return FailInput(fmt::format("take \"{}\": the log has a gap at {}", options.name,
-                                   log.DayTimeText(replay.presented_at())));
-    samples.push_back(SampleOf(replay.made().state,
-                               options.stretch * static_cast<float>(Seconds(replay.presented_at() - first))));
+      return Refuse(options, "the log has a gap at " + log.DayTimeText(replay.presented_at()));
+    samples.push_back(SampleOf(state, static_cast<float>(Seconds(replay.presented_at() - first))));
   }
-  if (samples.size() < 3)
-    return FailInput(fmt::format("take \"{}\": the log has nothing there", options.name));
+  if (samples.empty() && *beside >= 0)
+    return Refuse(options, fmt::format("\"{}\" did not begin there", options.with));
+  if (samples.size() < 3) return Refuse(options, "the log has nothing there");
   return samples;
+}
+
+// Adds curves of what moves.
+class CurveWriter {
+ public:
+  CurveWriter(const std::vector<Sample>& samples, Take& take) : samples_(samples), take_(take) {}
+
+  // `value_of(sample)`, divided by `unit`, is what the curve says.
+  template <class ValueOf>
+  void Add(MotionTarget target, const std::string& channel, float unit, ValueOf value_of) {
+    TakeCurve curve{target, channel, {}};
+    for (const Sample& sample : samples_) curve.keys.push_back({sample.at_s, value_of(sample) / unit});
+    curve.keys = Rounded(Thinned(curve.keys, unit == 1 ? kTakeError * kRadPerDegree : kTakeError));
+    take_.curves.push_back(std::move(curve));
+  }
+
+  template <class ValueOf>
+  bool Moves(float unit, ValueOf value_of) const {
+    return std::ranges::any_of(samples_, [&](const Sample& sample) {
+      return std::abs(value_of(sample) / unit) > (unit == 1 ? kMovesWeight : kMoves);
+    });
+  }
+
+ private:
+  const std::vector<Sample>& samples_;
+  Take& take_;
+};
+
+// All channels of the brows where one of them moves, so that a later pass over this one takes all of them.
+void AddGroup(CurveWriter& writer, const show::Show& show, std::span<const int> channels,
+              const auto& values_of) {
+  bool moves = false;
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    moves = moves || writer.Moves(1, [&](const Sample& sample) { return values_of(sample)[i]; });
+  for (std::size_t i = 0; moves && i < channels.size(); ++i)
+    if (channels[i] >= 0)
+      writer.Add(MotionTarget::kChannel, show.cast.expressions[static_cast<std::size_t>(channels[i])].name, 1,
+                 [&](const Sample& sample) { return values_of(sample)[i]; });
 }
 
 }  // namespace
 
-// Curves begin and end at 0, as every motion does: both ends are eased in over options.ease_s. What did not move has no curve,
-// so that the motion leaves it to whoever plays then.
-Result<show::Motion> RecordTake(const showlog::LogFile& log, const show::Show& show,
-                                const TakeOptions& options) {
-  const auto samples = Samples(log, show, options);
-  if (!samples) return tl::unexpected(samples.error());
-  show::Motion motion;
-  motion.name = options.name;
-  const float end_s = samples->back().at_s;
-  const auto add = [&](std::size_t value, MotionTarget target, int channel) {
-    if (target == MotionTarget::kChannel && channel < 0) return;
-    MotionCurve curve{target, static_cast<std::uint16_t>(std::max(0, channel)), {}};
-    bool moves = false;
-    for (const Sample& sample : *samples) {
-      const float edge_s = std::min(sample.at_s, end_s - sample.at_s);
-      const float eased = options.ease_s > 0 ? SmoothStep(edge_s / options.ease_s) : 1;
-      curve.keys.push_back({sample.at_s, eased * options.gain * sample.values[value]});
-      moves = moves || std::abs(curve.keys.back().value) > kMoves;
-    }
-    curve.keys.front().value = curve.keys.back().value = 0;
-    if (!moves) return;
-    curve.keys = Thinned(curve.keys);
-    motion.curves.push_back(std::move(curve));
-  };
-  for (std::size_t i = 0; i < 5; ++i) add(i, static_cast<MotionTarget>(i), -1);
-  for (const int brow : show.channels.brow_up) add(5, MotionTarget::kChannel, brow);
-  add(6, MotionTarget::kChannel, show.channels.brow_frown);
-  if (motion.curves.empty()) return FailInput(fmt::format("take \"{}\": nothing moved there", options.name));
-  return motion;
+std::optional<std::uint32_t> LevelsOfRole(const show::Show& show, const std::string& role) {
+  const auto found = std::ranges::find(show.roles.roles, role, &show::Role::name);
+  if (found == show.roles.roles.end()) return std::nullopt;
+  std::uint32_t levels = 0;
+  for (const show::RoleMap& map : found->maps) levels |= 1U << static_cast<unsigned>(map.level);
+  return levels;
 }
 
-// As a person would write it into show.toml: angles in degrees, channels by the name of their expression.
-// Four digits behind the point are a tenth of a millisecond, and of an angle less than kTakeError.
-std::string TextOfTake(const show::Motion& motion, const show::Show& show) {
-  std::string text = fmt::format("[[motion]]\nname = \"{}\"\n", motion.name);
-  for (const MotionCurve& curve : motion.curves) {
-    const bool channel = curve.target == MotionTarget::kChannel;
-    const float unit = channel || curve.target == MotionTarget::kLids ? 1 : kDegreesPerRad;
-    text += channel ? fmt::format("\"{}\" = [", show.cast.expressions[curve.channel].name)
-                    : fmt::format("{} = [", NameOf(curve.target));
-    for (std::size_t i = 0; i < curve.keys.size(); ++i)
-      text += fmt::format("{}[{:.4f}, {:.4f}]{}", i % 8 == 0 ? "\n  " : " ", curve.keys[i].at_s,
-                          curve.keys[i].value * unit, i + 1 < curve.keys.size() ? "," : "\n");
-    text += "]\n";
+Result<Take> RecordTake(const showlog::LogFile& log, const show::Show& show, const RecordOptions& options) {
+  const auto samples = Samples(log, show, options);
+  if (!samples) return tl::unexpected(samples.error());
+  Take take{.name = options.name};
+  CurveWriter writer(*samples, take);
+  for (std::size_t i = 0; i < kCurveNames.size(); ++i) {
+    const auto value_of = [i](const Sample& sample) { return sample.values[i]; };
+    const bool wanted =
+        Has(options.levels, kLevelsOfCurves[i][0]) || Has(options.levels, kLevelsOfCurves[i][1]);
+    if (wanted && writer.Moves(kCurveNames[i].unit, value_of))
+      writer.Add(kCurveNames[i].target, "", kCurveNames[i].unit, value_of);
   }
-  return text;
+  const std::array<int, kBrowCurves> brows{show.channels.brow_up[0], show.channels.brow_up[1],
+                                           show.channels.brow_frown};
+  if (Has(options.levels, Level::kBrow))
+    AddGroup(writer, show, brows, [](const Sample& sample) { return sample.brows; });
+  if (options.mouth)
+    AddGroup(writer, show, show.channels.mouth, [](const Sample& sample) { return sample.mouth; });
+  if (take.curves.empty()) return Refuse(options, "nothing moved there");
+  return take;
 }
 
 }  // namespace kaori::authoring

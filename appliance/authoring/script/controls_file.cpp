@@ -24,6 +24,9 @@ std::uint16_t SheetNamed(toml::Section& section, const std::string& key, const s
   return name == "2" ? 1 : 0;
 }
 
+constexpr std::array<std::string_view, 8> kItemKinds{"face", "expression", "style", "scene",
+                                                     "cue",  "sheet",      "take",  "motion"};
+
 // "face kaori". `section` holds it under `key`, for the faults.
 // A name that is not there is a fault and gives number 0 of its kind; a word that is no kind
 // gives a call of nothing.
@@ -36,9 +39,10 @@ show::Call ReadItem(Script& script, toml::Section& section, const std::string& k
     return {show::CallKind::kScene, IndexOf(section, key, "scene", script.show.scenes, name)};
   if (kind == "cue") return {show::CallKind::kCue, CueVerbNamed(section, key, name)};
   if (kind == "sheet") return {show::CallKind::kSheet, SheetNamed(section, key, name)};
-  section.Fault(
-      key, fmt::format("\"{}\" is none of face, expression, style, scene, cue, sheet{}", kind,
-                       toml::DidYouMean(kind, {"face", "expression", "style", "scene", "cue", "sheet"})));
+  if (kind == "take" || kind == "motion")
+    return {show::CallKind::kMotion, IndexOf(section, key, kind.c_str(), script.show.motions, name)};
+  section.Fault(key, fmt::format("\"{}\" is none of {}{}", kind, fmt::join(kItemKinds, ", "),
+                                 toml::DidYouMean(kind, {kItemKinds.begin(), kItemKinds.end()})));
   return {};
 }
 

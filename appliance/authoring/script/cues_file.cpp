@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "appliance/authoring/script/show_parts.h"
+#include "appliance/authoring/takes/take.h"
 #include "appliance/core/board/calls.h"
 #include "appliance/core/roles/level_names.h"
 
@@ -63,9 +64,26 @@ class CueReader {
     return call;
   }
 
+  // motion = "nod" or take = "greeting": a take is a motion that somebody played. "none" ends what plays.
   std::int32_t Motion() {
-    if (!section_.Has("motion")) return -1;
-    return IndexOf(section_, "motion", "motion", script_.show.motions, section_.Text("motion"));
+    const char* const key = section_.Has("take") ? "take" : "motion";
+    if (section_.Has("take") && section_.Has("motion"))
+      section_.Fault("take", "stands beside a motion; a cue plays one of them");
+    if (!section_.Has(key)) return show::kNoMotion;
+    const std::string name = section_.Text(key);
+    if (name.empty()) return show::kNoMotion;
+    if (name == kNoTakeName) return show::kEndsMotion;
+    return IndexOf(section_, key, key, script_.show.motions, name);
+  }
+
+  // A motion that loops has no end at which something could begin.
+  void CheckFollow(const show::Cue& cue) {
+    const auto& motions = script_.show.motions;
+    if (cue.next != show::CueNext::kFollow || cue.motion < 0 || motions.empty()) return;
+    const show::Motion& motion = motions[static_cast<std::size_t>(cue.motion)];
+    if (motion.Loops())
+      section_.Fault("continue",
+                     fmt::format("\"{}\" loops and has no end: nothing can follow it", motion.name));
   }
 
   // Levels by their names, as bits.
@@ -153,7 +171,8 @@ std::string ReadNumber(Script& script, toml::Section& section) {
 // Faces, expressions and styles fade in 1 s where the cue gives no time; light and presence are cut.
 show::Cue ReadCue(Script& script, toml::Section section) {
   section.AllowOnly({"number", "name", "act", "notes", "pre_wait_s", "scene", "face", "expression", "style",
-                     "light", "present", "motion", "release", "life", "gaze", "continue", "wait_for"});
+                     "light", "present", "motion", "take", "release", "life", "gaze", "continue",
+                     "wait_for"});
   CueReader read(script, section);
   show::Cue cue;
   cue.number = ReadNumber(script, section);
@@ -178,6 +197,7 @@ show::Cue ReadCue(Script& script, toml::Section section) {
   if (section.Has("life")) cue.life = LifeAt(section, "life", show::kKeepsLife);
   if (section.Has("gaze")) cue.gaze = GazeNamed(script, section, "gaze", section.Text("gaze"));
   cue.next = read.Next();
+  read.CheckFollow(cue);
   cue.wait = read.Wait();
   return cue;
 }

@@ -100,6 +100,8 @@ CallLabel LabelOf(const show::Call& call, const show::Show& show) {
       return labelled(kCueVerbs[call.index], "cue");
     case show::CallKind::kSheet:
       return labelled(call.index == 0 ? "Sheet 1" : "Sheet 2", "sheet");
+    case show::CallKind::kMotion:
+      return labelled(Readable(show.motions[call.index].name), "motion");
     case show::CallKind::kNothing:
       break;
   }

@@ -60,7 +60,8 @@ void ReadChannels(Script& script, toml::Section section) {
     channels.mouth[i] = ExpressionNamed(script, section, "mouth", mouth[i]);
 }
 
-// Gaze targets before scenes, and scenes before motions and buttons, which may call them. [[take]] is what motions were called before.
+// Gaze targets before scenes, and scenes before motions and buttons, which may call them. [[take]] is what motions were called before; takes have
+// files of their own.
 void ReadScript(Script& script, toml::Section file) {
   if (file.Has("take")) file.Fault("take", "a registered motion is now written [[motion]], not [[take]]");
   file.AllowOnly(
@@ -75,6 +76,7 @@ void ReadScript(Script& script, toml::Section file) {
   number = 0;
   for (const toml::Section& motion : file.Parts("motion"))
     script.show.motions.push_back(ReadMotion(script, Named(script, "motion", motion, ++number)));
+  ReadTakes(script);
   if (file.Has("buttons")) ReadButtons(script, file, "buttons", script.show.buttons);
   if (file.Has("second_buttons")) ReadButtons(script, file, "second_buttons", script.show.second_buttons);
   if (file.Has("fades")) ReadFades(script, file.Part("fades"));
@@ -103,6 +105,7 @@ std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::S
   Script script{.folder = file.parent_path(), .known = known, .show = show, .faults = faults};
   ReadScript(script, toml::Section(*value, "", faults));
   std::vector<std::string> lines = faults.lines();
+  std::ranges::copy(script.faults_of_takes, std::back_inserter(lines));
   const std::filesystem::path of_roles = script.folder / "roles.toml";
   roles::Items items = roles::ItemsOf(show.cast);
   items.all_known = known.faces && known.expressions;

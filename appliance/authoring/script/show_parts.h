@@ -1,4 +1,4 @@
-// The parts of show.toml, each in a file of its own: names_in_show.cpp, motion_file.cpp, controls_file.cpp.
+// The parts of show.toml, each in a file of its own: names_in_show.cpp, motion_file.cpp, controls_file.cpp; and takes.
 #pragma once
 
 #include <array>
@@ -7,8 +7,10 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <tl/expected.hpp>
 
 #include "appliance/authoring/script/show_file.h"
 #include "appliance/core/show/show.h"
@@ -26,6 +28,7 @@ struct Script {
   toml::Faults& faults;
   // Who has a key, by its name: "scene "night" in line 12". Two users of one key are a fault.
   std::map<std::string, std::string> used_keys{};
+  std::vector<std::string> faults_of_takes{};  // Lines, each with its own file.
 };
 
 // The number of the item that is called `name`; 0, and a fault of `key` with a name that may be meant, where
@@ -68,6 +71,13 @@ toml::Section Named(Script& script, const char* kind, const toml::Section& secti
 // One [[motion]]: name, key, sound, and a curve for each other key: a list of pairs [second, value] that
 // starts and ends at 0. Angles are degrees in the file and radians in the motion.
 show::Motion ReadMotion(Script& script, toml::Section section);
+
+// The expression that a curve moves, by its name; 0 where nobody knows the names (KnownNames). Else what is wrong with it.
+tl::expected<std::uint16_t, std::string> ChannelNamed(const Script& script, const std::string& name);
+
+// The takes beside show.toml, takes/NAME.toml in the order of their names, as motions behind those of show.toml. Their faults go
+// to Script::faults_of_takes. A take with faults is there by its name, so that who calls it is not faulted too.
+void ReadTakes(Script& script);
 
 // [gaze]: what she can look at, by name, as three numbers in metres. The show then has the house first and the camera, whether
 // the file names them or not.

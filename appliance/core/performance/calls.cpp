@@ -7,6 +7,7 @@
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/levels.h"
+#include "appliance/core/performance/motions.h"
 
 namespace kaori::performance {
 namespace {
@@ -30,6 +31,14 @@ void CallScene(State& state, const show::Show& show, std::uint16_t scene) {
   if (!show.cue_list.of_scenes) return;
   state.cue_run.active = scene - 1;
   state.cue_run.standby = scene;
+}
+
+// A second call of one that loops ends it, since nothing else on the control would.
+void CallMotion(State& state, const show::Show& show, std::int32_t motion) {
+  if (show.motions[static_cast<std::size_t>(motion)].Loops() && IsPlaying(state, motion))
+    EndMotions(state);
+  else
+    PlayMotion(state, motion);
 }
 
 // Faces and expressions fade as they say themselves; those that say nothing, and styles, as long as the Fade dial says; scenes
@@ -61,6 +70,9 @@ void Obey(State& state, const show::Call& call, std::uint16_t control, const sho
     case show::CallKind::kSheet:
       state.sheet = call.index;
       break;
+    case show::CallKind::kMotion:
+      CallMotion(state, show, call.index);
+      break;
   }
 }
 
@@ -73,7 +85,7 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show) {
     if (key.key_usage == usage)
       Obey(state, key.call, static_cast<std::uint16_t>(kFirstKeyControl + usage), show);
   for (std::size_t i = 0; i < show.motions.size(); ++i)
-    if (show.motions[i].key_usage == usage) PlayMotion(state, static_cast<int>(i));
+    if (show.motions[i].key_usage == usage) CallMotion(state, show, static_cast<int>(i));
   for (std::size_t i = 0; i < show.scenes.size(); ++i)
     if (show.scenes[i].key_usage == usage) CallScene(state, show, static_cast<std::uint16_t>(i));
 }

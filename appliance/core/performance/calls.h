@@ -8,7 +8,7 @@
 namespace kaori::performance {
 
 // Does what was called since the last frame, in the order of time, by buttons, keys, and calls on the board: buttons call
-// faces, expressions, styles and scenes; keys too, and they blink, wink and play registered motions. What a button or key
+// faces, expressions, styles, scenes and registered motions; keys too, and they blink and wink. A motion that loops ends when it is called once more. What a button or key
 // calls exists in the show: CheckShow has refused others. A call on the board that names what the show has not is refused
 // and counted.
 void PlayCalls(State& state, const InputEvents& events, const show::Show& show);

@@ -16,7 +16,6 @@ using Phase = CueRun::Phase;
 
 // Open less than this, of 0..1, is shut: lips that are pressed are not told from it.
 constexpr float kMouthShut = 0.08F;
-constexpr float kLeavesGain = 0.999F;  // Below 1 a motion fades out by itself.
 
 const show::Cue& CueAt(const show::Show& show, std::int32_t index) {
   return show.cue_list.cues[static_cast<std::size_t>(index)];
@@ -55,6 +54,7 @@ void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.present) Fade(state.present, cue.present->value, cue.present->in_s);
   if (cue.life) CallLife(state.life, *cue.life);
   if (cue.gaze) state.life.target = *cue.gaze;
+  if (cue.motion == show::kEndsMotion) EndMotions(state);
   if (cue.motion >= 0) PlayMotion(state, cue.motion);
   for (std::size_t i = 0; i < show::kLevelCount; ++i)
     if ((cue.release >> i & 1U) != 0) LetGo(state, show.roles, static_cast<show::Level>(i));
@@ -124,11 +124,6 @@ void FinishChain(State& state, const show::Show& show) {
   while (state.cue_run.pending >= 0) Play(state, show);
 }
 
-// A gain just below 1 is what PlayMotions fades out from.
-void SoftenMotions(State& state) {
-  for (Playing& voice : state.voices) voice.gain = std::min(voice.gain, kLeavesGain);
-}
-
 // What waits does not come; GO plays it. The list then goes on from there, so that a stop loses no cue.
 void Stop(State& state) {
   CueRun& run = state.cue_run;
@@ -136,7 +131,7 @@ void Stop(State& state) {
   run.pending = -1;
   run.phase = Phase::kIdle;
   run.paused = 0;
-  SoftenMotions(state);
+  EndMotions(state);
 }
 
 // What stands by afterwards is the cue behind the chain that begins now: cues of a chain are never called by themselves.
@@ -241,6 +236,7 @@ void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   Fade(state.present, tracked.present, in_s);
   CallLife(state.life, tracked.life);
   state.life.target = tracked.gaze;
+  if (tracked.loop >= 0) PlayMotion(state, tracked.loop);
   run.active = end;
   run.standby = end + 1;
   run.panicking = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "appliance/core/performance/kept.h"
+#include "appliance/core/performance/motions.h"
 
 namespace kaori::performance {
 namespace {
@@ -111,6 +112,8 @@ Lamp LampOf(const State& state, const show::Call& call) {
       return state.scene == call.index ? LampOfMixture(state.backdrops, call.index) : Lamp::kOff;
     case CallKind::kCue:
       return LampOfCue(state, static_cast<show::CueVerb>(call.index));
+    case CallKind::kMotion:
+      return IsPlaying(state, call.index) ? Lamp::kLit : Lamp::kOff;
     case CallKind::kNothing:
     case CallKind::kSheet:
       break;

@@ -11,8 +11,8 @@ namespace kaori::show {
 inline constexpr int kButtonCount = 32;
 inline constexpr std::uint16_t kSheetCount = 2;  // Of buttons.
 
-// `index` of a call is into faces, expressions, styles or scenes, a CueVerb, or a sheet.
-enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene, kCue, kSheet };
+// `index` of a call is into faces, expressions, styles or scenes, a CueVerb, a sheet, or into motions.
+enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene, kCue, kSheet, kMotion };
 
 enum class CallMode : std::uint8_t {
   kCall,       // It takes the place of what was called before.

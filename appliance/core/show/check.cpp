@@ -36,6 +36,8 @@ std::size_t Count(const Show& show, CallKind kind) {
       return kCueVerbCount;
     case CallKind::kSheet:
       return kSheetCount;
+    case CallKind::kMotion:
+      return show.motions.size();
   }
   return 0;
 }
@@ -102,11 +104,16 @@ void CheckKeyCall(const Show& show, const KeyCall& key, Faults& faults) {
 }
 
 // The player looks for keys by binary search and divides by their distance, so that times must rise; it adds
-// curves without a fade, so that they must begin and end at 0.
-void CheckCurve(const Show& show, const std::string& item, const MotionCurve& curve, Faults& faults) {
-  if (curve.target > MotionTarget::kChannel || curve.channel >= show.cast.expressions.size())
+// curves without a fade, so that they must begin and end at 0; the end of a loop is not played.
+void CheckCurve(const Show& show, const Motion& motion, const MotionCurve& curve, Faults& faults) {
+  const std::string item = fmt::format("motion \"{}\"", motion.name);
+  if (static_cast<std::uint8_t>(curve.target) >= kMotionTargetCount ||
+      curve.channel >= show.cast.expressions.size())
     faults.push_back(item + ": a curve moves nothing that exists");
-  if (curve.keys.size() < 2 || curve.keys.front().value != 0 || curve.keys.back().value != 0)
+  const auto ends = [&motion](const MotionKey& last) {
+    return last.value == 0 || (motion.Loops() && last.at_s > motion.loop_to_s);
+  };
+  if (curve.keys.size() < 2 || curve.keys.front().value != 0 || !ends(curve.keys.back()))
     faults.push_back(item + ": a curve must start and end at 0");
   const auto steady = [](const MotionKey& a, const MotionKey& b) { return !(b.at_s > a.at_s); };
   if (std::ranges::adjacent_find(curve.keys, steady) != curve.keys.end())
@@ -130,10 +137,29 @@ void CheckSound(const std::string& item, const Sound& sound, Faults& faults) {
     faults.push_back(fmt::format("{}: its sound is longer than {} s", item, kLongestMotion_s));
 }
 
+// From its end a loop goes on at its beginning, so that every curve must be at the same place there. The least is so small that
+// nobody sees it: 0.06 degrees.
+void CheckLoop(const std::string& item, const Motion& motion, Faults& faults) {
+  constexpr float kUnseenJump = 1e-3F;
+  if (motion.loop_from_s == 0 && motion.loop_to_s == 0) return;
+  if (!Within(motion.loop_from_s, 0, kLongestMotion_s) || !Within(motion.loop_to_s, 0, kLongestMotion_s) ||
+      motion.loop_to_s - motion.loop_from_s < kShortestLoop_s)
+    return faults.push_back(fmt::format("{}: its loop from {} to {} s is none of {} s or more", item,
+                                        motion.loop_from_s, motion.loop_to_s, kShortestLoop_s));
+  if (!motion.sound.samples.empty()) faults.push_back(item + ": a motion with a sound cannot loop");
+  const auto at = [&motion](const MotionCurve& curve, float at_s) {
+    return ValueAt(curve.keys, motion.recorded, at_s);
+  };
+  for (const MotionCurve& curve : motion.curves)
+    if (!(std::abs(at(curve, motion.loop_to_s) - at(curve, motion.loop_from_s)) <= kUnseenJump))
+      faults.push_back(item + ": its loop jumps from its end to its beginning");
+}
+
 void CheckMotion(const Show& show, const Motion& motion, Faults& faults) {
   const std::string item = fmt::format("motion \"{}\"", motion.name);
   CheckKey(item, motion.key_usage, faults);
-  for (const MotionCurve& curve : motion.curves) CheckCurve(show, item, curve, faults);
+  for (const MotionCurve& curve : motion.curves) CheckCurve(show, motion, curve, faults);
+  CheckLoop(item, motion, faults);
   CheckSound(item, motion.sound, faults);
 }
 

@@ -73,8 +73,11 @@ void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults
   check.Call("style", cue.style, scene::kStyleCount);
   check.Level("light", cue.light);
   check.Level("present", cue.present);
-  if (cue.motion < -1 || cue.motion >= static_cast<int>(show.motions.size()))
+  if (cue.motion < kEndsMotion || cue.motion >= static_cast<int>(show.motions.size()))
     check.Fault(fmt::format("there is no motion {}", cue.motion));
+  else if (cue.next == CueNext::kFollow && cue.motion >= 0 &&
+           show.motions[static_cast<std::size_t>(cue.motion)].Loops())
+    check.Fault("nothing can follow it: its motion loops, and has no end");
   if (cue.release >> kLevelCount != 0) check.Fault("it releases a level that is not known");
   if (cue.life) CheckLifeOf(check, *cue.life);
   if (cue.gaze) check.Gaze(*cue.gaze, show.gaze_targets.size());

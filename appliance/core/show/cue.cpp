@@ -31,6 +31,12 @@ void SetItem(TrackedState::Item& item, std::uint16_t index) {
   item = {index, item.now};
 }
 
+// A motion ends those before it; one that plays once leaves nothing behind.
+std::int32_t LoopOf(const Cue& cue, const Show& show) {
+  const bool loops = cue.motion >= 0 && show.motions[static_cast<std::size_t>(cue.motion)].Loops();
+  return loops ? cue.motion : kNoMotion;
+}
+
 // The order is that in which the performance plays a cue: a scene sets four items, those named beside it then win.
 void Add(TrackedState& state, const Cue& cue, const Show& show) {
   if (cue.scene) {
@@ -50,6 +56,7 @@ void Add(TrackedState& state, const Cue& cue, const Show& show) {
   for (std::size_t part = 0; cue.life && part < cue.life->size(); ++part)
     if ((*cue.life)[part] >= 0) state.life[part] = (*cue.life)[part];
   if (cue.gaze) state.gaze = *cue.gaze;
+  if (cue.motion != kNoMotion) state.loop = LoopOf(cue, show);
 }
 
 // The first scene, as performance::Opening enters it.

@@ -69,6 +69,9 @@ struct CueWait {
   float at_most_s = 0;  // Then the cue comes all the same: an evening never hangs on a sensor.
 };
 
+// What a cue says of motions where it calls none: nothing, or that they end softly.
+inline constexpr int kNoMotion = -1, kEndsMotion = -2;
+
 // One cue of the list. What it does not name stays as it stands.
 struct Cue {
   std::string number{};  // Digits and dots: "3", "2.10". Rises from cue to cue, see CompareCueNumbers.
@@ -80,7 +83,7 @@ struct Cue {
   std::optional<CueCall> face{}, expression{}, style{};
   std::optional<CueLevel> light{};     // 0 black .. 1 as the scene is lit.
   std::optional<CueLevel> present{};   // 0 she has left the picture .. 1 she is there.
-  int motion = -1;                     // Of the show's motions; -1: none.
+  int motion = kNoMotion;              // Of the show's motions, or one of the two below 0.
   std::uint32_t release = 0;           // Bit n: whoever has the level n (show::Level) lets go of it.
   std::optional<LifeAmounts> life{};   // Parts that are kKeepsLife stay as they were.
   std::optional<std::int32_t> gaze{};  // Whom she looks at, of the show's targets, or kNoTarget.
@@ -100,6 +103,7 @@ struct TrackedState {
   float present = 1;
   LifeAmounts life = kWholeLife;
   std::int32_t gaze = kNoTarget;
+  std::int32_t loop = kNoMotion;  // The motion that plays on until something ends it.
   bool operator==(const TrackedState&) const = default;
 };
 

@@ -131,8 +131,13 @@ Motion ReadMotion(Copier& from, const pack::Motion& stored) {
     return MotionCurve{static_cast<MotionTarget>(Narrow<std::uint8_t>(c.target())),
                        Narrow<std::uint16_t>(c.channel()), copier.Structs<MotionKey>(c.keys())};
   };
-  return {from.Text(stored.name()), Narrow<std::uint16_t>(stored.key_usage()),
-          from.Tables<MotionCurve>(stored.curves(), curve), ReadSound(from, stored)};
+  return {.name = from.Text(stored.name()),
+          .key_usage = Narrow<std::uint16_t>(stored.key_usage()),
+          .curves = from.Tables<MotionCurve>(stored.curves(), curve),
+          .sound = ReadSound(from, stored),
+          .recorded = stored.recorded(),
+          .loop_from_s = stored.loop_from_s(),
+          .loop_to_s = stored.loop_to_s()};
 }
 
 // A scene of a pack from before scenes had amounts of life lives as people do.

@@ -147,7 +147,8 @@ Offset<pack::Motion> Write(FlatBufferBuilder& to, const Motion& motion) {
   const auto curves = WriteAll(to, motion.curves);
   const auto sound = to.CreateVector(motion.sound.samples);
   return pack::CreateMotion(to, name, motion.key_usage, curves,
-                            static_cast<std::uint32_t>(motion.sound.channels), sound);
+                            static_cast<std::uint32_t>(motion.sound.channels), sound, motion.recorded,
+                            motion.loop_from_s, motion.loop_to_s);
 }
 
 Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene) {

@@ -13,17 +13,16 @@
 #include "appliance/core/show/cue.h"
 #include "appliance/core/show/fade.h"
 #include "appliance/core/show/life.h"
+#include "appliance/core/show/motion.h"
 #include "appliance/core/show/roles.h"
 #include "render/face/cast.h"
 #include "render/scene/scene.h"
 
 namespace kaori::show {
 
-// What CheckShow allows. Fades and motions that are longer are written in the wrong unit.
+// What CheckShow allows. Fades that are longer are written in the wrong unit.
 inline constexpr float kLongestFade_s = 60;
-inline constexpr float kLongestMotion_s = 600;
 inline constexpr float kMostExposure = 4;
-inline constexpr float kWidestMotion = 4;  // Radians, or a weight: face::kHeaviest.
 inline constexpr std::size_t kMostItems =
     4096;  // Faces, expressions, props ...: each has an index of 16 bits.
 inline constexpr std::uint16_t kKeyUsages = 256;
@@ -32,42 +31,6 @@ inline constexpr std::uint16_t kKeyUsages = 256;
 struct KeyCall {
   std::uint16_t key_usage = 0;
   Call call;
-};
-
-// A registered motion: curves over time, added to head, gaze and channels.
-enum class MotionTarget : std::uint8_t {
-  kHeadYaw,
-  kHeadPitch,
-  kHeadRoll,
-  kGazeYaw,
-  kGazePitch,
-  kLids,
-  kChannel
-};
-// One point of a curve. Between two of them the value eases in and out (performance/motions.cpp).
-struct MotionKey {
-  float at_s = 0;
-  float value = 0;  // Radians, or a weight.
-};
-struct MotionCurve {
-  MotionTarget target = MotionTarget::kHeadYaw;
-  std::uint16_t channel = 0;    // Index of Cast::expressions, where the target is a channel.
-  std::vector<MotionKey> keys;  // Times rise from 0 or later; the first and last value are 0: nothing jumps.
-};
-// The rate of every recorded sound: that of the loudspeaker, so that nothing is converted while a show plays.
-inline constexpr int kSoundRate_hz = 48000;
-// 16 bits a sample, frames one after the other; at most kLongestMotion_s long.
-struct Sound {
-  int channels = 1;                   // 1, or 2: left and right side by side.
-  std::vector<std::int16_t> samples;  // Whole frames; none: no sound.
-};
-// Called by its key; while others play they fade out, and this one adds its curves to what the operators move.
-struct Motion {
-  std::string name;
-  // HID keyboard usage that plays it; 0: no key does.
-  std::uint16_t key_usage = 0;
-  std::vector<MotionCurve> curves;
-  Sound sound{};  // Begins when the curves do.
 };
 
 // What a scene change sets, all at once, each with its own fade. The fade's length is in seconds, 0 ..

@@ -5,6 +5,7 @@
 
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/last_face/last_face.h"
+#include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/recall.h"
 #include "appliance/programs/stage/last_face_writer.h"
 #include "drivers/base/checksum.h"
@@ -21,6 +22,8 @@ constexpr Duration kBetween = std::chrono::seconds(30);
 // of a lid, 0..1, up to which they count as open.
 constexpr float kBlinkOver_s = 0.6F;
 constexpr float kOpenLids = 0.1F;
+// A motion is waited for, but not longer than this: one that loops has no end.
+constexpr Duration kMotionWait = std::chrono::seconds(10);
 
 // The state as LastFace::Writer puts it: the layout's number, then the bytes of performance::State.
 std::optional<performance::State> StateIn(std::span<const std::uint8_t> bytes) {
@@ -44,12 +47,15 @@ bool Done(const performance::State& state) {
          std::ranges::all_of(state.kept, lasts);
 }
 
+bool PlaysMotion(const performance::State& state) {
+  return std::ranges::any_of(state.voices,
+                             [](const performance::Playing& voice) { return voice.motion >= 0; });
+}
+
 // A picture that one likes to look at for a second: nothing is on its way, and the eyes are open.
 bool IsCalm(const performance::State& state, const scene::Scene& scene) {
-  const auto plays = [](const performance::Playing& voice) { return voice.motion >= 0; };
   const auto shut = [](float lids) { return lids > kOpenLids; };
-  return Done(state) && std::ranges::none_of(state.voices, plays) &&
-         std::ranges::min(state.blink_s) > kBlinkOver_s &&
+  return Done(state) && std::ranges::min(state.blink_s) > kBlinkOver_s &&
          std::ranges::none_of(scene.weights.lids_shut, shut);
 }
 
@@ -78,7 +84,12 @@ Result<performance::State> RecallLastFace(const LastFaceFile& where, const show:
   if (face->show != where.show) return refuse("it is of another show");
   const auto state = StateIn(face->state);
   if (!state || !performance::IsValid(*state, show)) return refuse("it is of another version");
-  return performance::Recalled(*state, board, presented_at);
+  performance::State recalled = performance::Recalled(*state, board, presented_at);
+  // Where the list stands, a motion plays on: it begins once more.
+  const auto stands = static_cast<std::size_t>(recalled.cue_run.active) + 1;
+  if (const auto& tracked = show.cue_list.tracked; stands < tracked.size() && tracked[stands].loop >= 0)
+    performance::PlayMotion(recalled, tracked[stands].loop);
+  return recalled;
 }
 
 // A board that has a state is newer than any disk: there the stage was restarted, and not the box.
@@ -121,8 +132,10 @@ LastFace::Called LastFace::CalledOf(const performance::State& state) {
 void LastFace::Observe(const performance::State& state, const scene::Scene& scene, Time now) {
   seen_ = state;
   fit_ = IsFit(state, scene);
+  if (first_ || !PlaysMotion(state)) still_at_ = now;
   if (std::exchange(first_, false)) return;  // It must be on the screen soon: copying it out comes after.
-  if (now < not_before_ || !fit_ || !IsCalm(state, scene)) return;
+  const bool waits = now > still_at_ && now < still_at_ + kMotionWait;
+  if (now < not_before_ || waits || !fit_ || !IsCalm(state, scene)) return;
   if (writer_->failed()) kept_.reset();
   if (kept_ == CalledOf(state) || !Keep()) return;
   not_before_ = now + kBetween;

@@ -99,6 +99,7 @@ class LastFace {
   // True until the first frame was observed.
   bool first_ = true;
   Time not_before_{};
+  Time still_at_{};  // When no motion played, the last time.
 };
 
 }  // namespace kaori::stage

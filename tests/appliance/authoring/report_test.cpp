@@ -1,6 +1,7 @@
 // The show report: what an evening's log tells people.
 #include "appliance/authoring/report/report.h"
 #include "appliance/authoring/report/take.h"
+#include "appliance/authoring/takes/played.h"
 
 #include <gmock/gmock.h>
 
@@ -125,6 +126,15 @@ class RecordedTake : public ReportTest {
   }
 };
 
+// As the packer does it.
+show::Motion MotionOf(const Take& take) {
+  show::Motion motion{.name = take.name, .key_usage = performance::kKey1, .curves = {}, .recorded = true};
+  for (const TakeCurve& curve : take.curves)
+    if (curve.target != show::MotionTarget::kChannel)
+      motion.curves.push_back({curve.target, 0, PlayedKeys(take, curve)});
+  return motion;
+}
+
 // The take is played by its key while the stick rests; between its in and its out it is what was recorded.
 TEST_F(RecordedTake, PlaysWhatTheOperatorDid) {
   Run(2s);
@@ -132,10 +142,9 @@ TEST_F(RecordedTake, PlaysWhatTheOperatorDid) {
   const std::vector<scene::Head> heads = Move(6s);
   const auto log = Read();
   ASSERT_TRUE(log) << log.error().message();
-  auto motion = RecordTake(*log, show_, {.name = "shake", .from = from, .length = 6s});
-  ASSERT_TRUE(motion) << motion.error().message();
-  motion->key_usage = performance::kKey1;
-  show_.motions = {*motion};
+  const auto take = RecordTake(*log, show_, {.name = "shake", .from = from, .to = from + 6s});
+  ASSERT_TRUE(take) << take.error().message();
+  show_.motions = {MotionOf(*take)};
   board_.sticks[0].value = {};
   Run(5s);
   Strike(performance::kKey1);
@@ -151,25 +160,92 @@ TEST_F(RecordedTake, PlaysWhatTheOperatorDid) {
   EXPECT_GT(std::abs(heads[30].yaw_rad), 0.05F) << "it moves";
 }
 
-TEST_F(RecordedTake, IsTextThatAShowReadsAndSaysWhatIsMissing) {
+TEST_F(RecordedTake, HasWhatMovedAndSaysWhatIsMissing) {
   Run(2s);
   const Time from = now_;
   Move(3s);
   const auto log = Read();
   ASSERT_TRUE(log) << log.error().message();
-  const auto slow =
-      RecordTake(*log, show_, {.name = "slow", .from = from, .length = 2s, .gain = 0.5F, .stretch = 2});
-  ASSERT_TRUE(slow) << slow.error().message();
-  EXPECT_NEAR(slow->curves[0].keys.back().at_s, 4, 0.1);
-  EXPECT_EQ(slow->curves[0].keys.front().value, 0);
-  EXPECT_EQ(slow->curves[0].keys.back().value, 0);
-  EXPECT_THAT(TextOfTake(*slow, show_), ::testing::StartsWith("[[motion]]\nname = \"slow\"\nhead_yaw = [\n"));
-  const auto still = RecordTake(*log, show_, {.name = "still", .from = from - 1s, .length = 900ms});
-  ASSERT_FALSE(still);
-  EXPECT_EQ(still.error().message(), "take \"still\": nothing moved there");
-  const auto late = RecordTake(*log, show_, {.name = "late", .from = from + 1h, .length = 1s});
-  ASSERT_FALSE(late);
-  EXPECT_EQ(late.error().message(), "take \"late\": the log has nothing there");
+  const auto take = RecordTake(*log, show_, {.name = "slow", .from = from, .to = from + 2s});
+  ASSERT_TRUE(take) << take.error().message();
+  ASSERT_EQ(take->curves.size(), 2U) << "what does not move has no curve";
+  EXPECT_EQ(take->curves[0].target, show::MotionTarget::kHeadYaw);
+  EXPECT_EQ(take->curves[1].target, show::MotionTarget::kHeadPitch);
+  EXPECT_NEAR(RecordedLength(*take), 2, 0.05F);
+  const auto refusal = [&](const RecordOptions& options) {
+    const auto refused = RecordTake(*log, show_, options);
+    return refused ? "it was recorded" : refused.error().message();
+  };
+  EXPECT_EQ(refusal({.name = "still", .from = from - 1s, .to = from - 100ms}),
+            "take \"still\": nothing moved there");
+  EXPECT_EQ(refusal({.name = "late", .from = from + 1h, .to = from + 1h + 1s}),
+            "take \"late\": the log has nothing there");
+  EXPECT_EQ(refusal({.name = "pass", .from = from, .to = from + 2s, .with = "nod"}),
+            "take \"pass\": \"nod\" did not begin there");
+  EXPECT_EQ(refusal({.name = "pass", .from = from, .to = from + 2s, .with = "wave"}),
+            "take \"pass\": the show has no motion or take \"wave\"");
+}
+
+TEST_F(RecordedTake, OfOneRoleHasThatOperatorsPartAlone) {
+  Run(1s);
+  const Time from = now_;
+  for (int i = 0; i < 120; ++i) {
+    board_.sticks[0].value.x = 0.5F * std::sin(0.05F * static_cast<float>(i));
+    board_.sticks[1].value.x = 0.5F * std::cos(0.04F * static_cast<float>(i));
+    PlayQuietly();
+  }
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  const auto levels = LevelsOfRole(show_, show_.roles.roles[1].name);
+  ASSERT_TRUE(levels);
+  EXPECT_FALSE(LevelsOfRole(show_, "prompter"));
+  const auto both = RecordTake(*log, show_, {.name = "both", .from = from, .to = from + 2s});
+  const auto one = RecordTake(*log, show_, {.name = "one", .from = from, .to = from + 2s, .levels = *levels});
+  ASSERT_TRUE(both && one);
+  EXPECT_GT(both->curves.size(), one->curves.size());
+  for (const TakeCurve& curve : one->curves)
+    EXPECT_EQ(std::ranges::count_if(both->curves, [&](const TakeCurve& c) { return SameChannel(c, curve); }),
+              1);
+}
+
+// A second pass: the take plays, and a hand plays to it. What is recorded is the hand's, in the time of the take.
+TEST_F(RecordedTake, OfASecondPassBeginsWithTheTakeThatWasPlayedMeanwhile) {
+  show_.motions[0].curves[0].keys = {{0, 0}, {2, 0.3F}, {4, 0}};
+  Run(1s);
+  const Time from = now_;
+  board_.sticks[0].value.y = 0;
+  Run(700ms);
+  Strike(performance::kKey1);
+  int frame = 0;
+  for (const Time end = now_ + 3s; now_ < end; ++frame) {
+    board_.sticks[0].value.x = frame < 60 ? 0.0F : 0.6F;  // One second after the take began.
+    PlayQuietly();
+  }
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  const auto take = RecordTake(*log, show_, {.name = "pass", .from = from, .to = from + 10s, .with = "nod"});
+  ASSERT_TRUE(take) << take.error().message();
+  ASSERT_EQ(take->curves.size(), 1U) << "the take itself is not recorded once more";
+  const auto& keys = take->curves[0].keys;
+  EXPECT_NEAR(RecordedAt(keys, 0.95F), 0, 0.01F);
+  EXPECT_GT(std::abs(RecordedAt(keys, 1.3F)), 5) << "degrees";
+}
+
+TEST_F(RecordedTake, HasTheMouthWhereItIsAskedFor) {
+  for (std::size_t i = 0; i < show_.cast.expressions.size(); ++i)
+    show_.cast.expressions[i].name = fmt::format("channel {}", i);
+  Run(1s);
+  const Time from = now_;
+  for (int i = 0; i < 120; ++i) {
+    board_.surface.value.counts[4] += (i < 60 ? 1 : -1) * board_.surface.value.counts_per_turn / 60;
+    PlayQuietly();
+  }
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  EXPECT_FALSE(RecordTake(*log, show_, {.name = "word", .from = from, .to = from + 2s}));
+  const auto take = RecordTake(*log, show_, {.name = "word", .from = from, .to = from + 2s, .mouth = true});
+  ASSERT_TRUE(take) << take.error().message();
+  EXPECT_EQ(take->curves.size(), 4U) << "shut narrow, shut wide, open narrow, open wide";
 }
 
 }  // namespace

@@ -27,9 +27,9 @@ const Mistake kInTheScript[] = {
     {"ButtonOfNoFace", "show.toml", "face kaori\"", "face karoi\"",
      "show.toml:[0-9]+: button 1: there is no face \"karoi\"; did you mean \"kaori\"[?]"},
     {"ButtonOfNoKind", "show.toml", "\"face kaori\"", "\"fcae kaori\"",
-     "show.toml:[0-9]+: button 1: \"fcae\" is none of face, expression, style, scene, cue, sheet; did you "
-     "mean "
-     "\"face\"[?]"},
+     "show.toml:[0-9]+: button 1: \"fcae\" is none of face, expression, style, scene, cue, sheet, take, "
+     "motion; did "
+     "you mean \"face\"[?]"},
     {"ButtonTooFew", "show.toml", "\"expression sleepy\"", "",
      "show.toml:[0-9]+: buttons: 31 are given; the box has 32"},
     {"SceneOfNoExpression", "show.toml", "expression = \"smile\"", "expression = \"smlie\"",
@@ -118,6 +118,8 @@ const Mistake kInTheCues[] = {
      "cues.toml:[0-9]+: cue 2.1.expression.name: there is no expression \"suprised\"; did you mean"},
     {"CueOfNoMotion", "cues.toml", "motion = \"bow\"", "motion = \"bough\"",
      "cues.toml:[0-9]+: cue 6.motion: there is no motion \"bough\""},
+    {"CueOfNoTake", "cues.toml", "motion = \"bow\"", "take = \"bough\"",
+     "cues.toml:[0-9]+: cue 6.take: there is no take \"bough\""},
     {"CueOfANumberThatFalls", "cues.toml", "number = \"3.1\"", "number = \"2.9\"",
      "cues.toml:[0-9]+: cue 2.9.number: 2.9 stands after 3; numbers must rise"},
     {"CueOfANumberThatIsTaken", "cues.toml", "number = \"2\"", "number = \"1\"",

@@ -144,7 +144,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 const ShowFault kShowFaults[] = {
     {"ButtonOfNoKnownKind",
      [](Show& s) {
-       s.buttons[7] = {show::CallKind{7}, 0};
+       s.buttons[7] = {show::CallKind{99}, 0};
      },
      "button 8: calls number 0 of 0"},
     {"ButtonThatTogglesAScene",

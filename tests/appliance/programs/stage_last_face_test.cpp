@@ -133,6 +133,38 @@ TEST_F(LastFaceTest, IsWrittenWhenAnOperatorChangedItAndNotTwiceInHalfAMinute) {
   EXPECT_EQ(looks_, 3) << "nobody touched anything";
 }
 
+// A motion that ends is waited for; one that loops would keep the evening before on the disk all night.
+TEST_F(LastFaceTest, IsWrittenAlthoughAMotionLoops) {
+  show_.motions = {
+      {.name = "sway",
+       .key_usage = performance::kKey1,
+       .curves = {{show::MotionTarget::kHeadRoll, 0, {{0, 0}, {0.5F, 0.1F}, {2, 0.1F}, {3, 0.1F}}}},
+       .loop_from_s = 0.5F,
+       .loop_to_s = 2}};
+  Play(31s);
+  ASSERT_EQ(looks_, 1);
+  Strike(performance::kKey1);
+  Push(2);
+  Play(9s);
+  EXPECT_EQ(looks_, 1);
+  Play(6s);
+  EXPECT_EQ(looks_, 2);
+}
+
+TEST_F(LastFaceTest, ALoopOfTheCueListPlaysOnAfterTheNight) {
+  show_.motions[0].loop_from_s = 0.1F;
+  show_.motions[0].loop_to_s = 0.7F;
+  show_.cue_list.cues = {{.number = "1", .motion = 0}};
+  show::Track(show_);
+  CallCueByFoot();
+  Play(2s);
+  keeper_->KeepNow();
+  board_ = {};
+  const auto state = RecallLastFace(place_, show_, board_, now_);
+  ASSERT_TRUE(state) << state.error().message();
+  EXPECT_EQ(state->voices[0].motion, 0);
+}
+
 TEST_F(LastFaceTest, ATogglesItemIsKeptAndNoPictureIsTakenWhileAButtonIsHeld) {
   show_.buttons[30] = {show::CallKind::kExpression, 3, show::CallMode::kToggle};
   show_.buttons[31] = {show::CallKind::kFace, 2, show::CallMode::kMomentary};

@@ -1,0 +1,77 @@
+// Takes in show packs: what goes in comes out, and a loop that would jump is refused.
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "appliance/core/show/check.h"
+#include "appliance/core/show/pack.h"
+#include "tests/appliance/core/pack_fixture.h"
+
+namespace kaori::tests {
+namespace {
+
+using show::EncodePack;
+using show::LoadPack;
+using show::Show;
+using ::testing::HasSubstr;
+
+using PackOfTakes = PackTest;
+
+show::Motion Sway() {
+  return {
+      .name = "sway",
+      .curves = {{show::MotionTarget::kHeadLean, 0, {{0, 0}, {1, 0.05F}, {2, 0.02F}, {3, 0.05F}, {4, 0}}}},
+      .recorded = true,
+      .loop_from_s = 1,
+      .loop_to_s = 3};
+}
+
+TEST_F(PackOfTakes, ComesOutAsItWentInWithWhatCallsAndEndsThem) {
+  Show show = SmallShow();
+  show.motions.push_back(Sway());
+  show.buttons[5] = {show::CallKind::kMotion, 1};
+  show.cue_list.cues[0].motion = show::kEndsMotion;
+  ASSERT_THAT(CheckShow(show), ::testing::IsEmpty());
+  const auto loaded = LoadPack(Write(EncodePack(show)));
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  const show::Motion& take = loaded->motions.at(1);
+  EXPECT_TRUE(take.recorded);
+  EXPECT_EQ(take.loop_from_s, 1);
+  EXPECT_EQ(take.loop_to_s, 3);
+  EXPECT_EQ(take.curves.at(0).target, show::MotionTarget::kHeadLean);
+  EXPECT_FALSE(loaded->motions[0].recorded);
+  EXPECT_FALSE(loaded->motions[0].Loops()) << "as in packs of before";
+  EXPECT_EQ(loaded->buttons[5], (show::Call{show::CallKind::kMotion, 1}));
+  EXPECT_EQ(loaded->cue_list.cues.at(0).motion, show::kEndsMotion);
+}
+
+TEST(CheckTakes, RefusesALoopThatJumpsOrHasASoundOrIsNone) {
+  const auto fault_of = [](void (*spoil)(show::Motion&)) {
+    Show show = SmallShow();
+    show.motions.push_back(Sway());
+    spoil(show.motions[1]);
+    const auto faults = CheckShow(show);
+    return faults.empty() ? "none" : faults.front();
+  };
+  EXPECT_EQ(fault_of([](show::Motion&) {}), "none");
+  EXPECT_THAT(fault_of([](show::Motion& m) { m.curves[0].keys[3].value = 0.052F; }),
+              HasSubstr("its loop jumps"));
+  EXPECT_THAT(fault_of([](show::Motion& m) { m.sound.samples = {1, 2}; }), HasSubstr("a sound cannot loop"));
+  EXPECT_THAT(fault_of([](show::Motion& m) { m.loop_to_s = 1.25F; }), HasSubstr("is none of 0.5 s or more"));
+  EXPECT_THAT(fault_of([](show::Motion& m) { m.loop_from_s = std::numeric_limits<float>::quiet_NaN(); }),
+              HasSubstr("its loop from nan to 3 s"));
+  EXPECT_THAT(fault_of([](show::Motion& m) { m.curves[0].keys.pop_back(); }),
+              HasSubstr("must start and end at 0"));
+}
+
+TEST(CheckTakes, RefusesACueThatFollowsALoop) {
+  Show show = SmallShow();
+  show.motions.push_back(Sway());
+  show.cue_list.cues[0].motion = 1;
+  show.cue_list.cues[0].next = show::CueNext::kFollow;
+  EXPECT_THAT(CheckShow(show),
+              ::testing::ElementsAre(HasSubstr("cue 1: nothing can follow it: its motion loops")));
+}
+
+}  // namespace
+}  // namespace kaori::tests
