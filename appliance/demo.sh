@@ -9,23 +9,24 @@ readonly RUN=out/run
 readonly RECORD_PACKAGES=(ffmpeg)
 
 demo() {
-  local port='' listen='' size=960x540 hz='' record='' play='' input='' value pack=''
+  local port='' listen='' size=960x540 hz='' record='' play='' input='' value pack='' evening='' without='' at=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --service ]; then
       in_service=yes
       shift
       continue
     fi
-    [[ $1 =~ ^--(port|listen|size|hz|record|play|input|pack)$ ]] || fail "demo knows no $1; see ./box help"
+    [[ $1 =~ ^--(port|listen|size|hz|record|play|input|pack|evening|without|at)$ ]] || fail "demo knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
-    [[ ! $1 =~ ^--(record|play|input|pack)$ ]] || value=$(from_caller "$2")
+    [[ ! $1 =~ ^--(record|play|input|pack|evening)$ ]] || value=$(from_caller "$2")
     local "${1#--}=$value"
     shift 2
   done
   [ -z "$listen" ] || is_address "$listen" ||
     fail "--listen $listen: expected an IPv4 address of this machine, such as 192.168.0.7, or 0.0.0.0 for all of them"
   [ -z "$pack" ] || is_show "$pack"
+  choose_evening
   need "${BUILD_PACKAGES[@]}"
   [ -n "$record" ] && need "${RECORD_PACKAGES[@]}"
   build release programs
@@ -44,6 +45,15 @@ demo() {
   [ -n "$play" ] && of_simulator+=(--play "$play")
   [ -n "$input" ] && of_simulator+=(--record "$input")
   run_programs "$port" "$listen" "$size" "${hz:-$SCREEN_HZ}" "${of_simulator[@]}"
+}
+
+# Minus one: sets what the stage is told of the evening that it plays again. The variables are those of demo.
+choose_evening() {
+  [ -n "$evening" ] || { [ -z "$without$at" ] || fail "--without and --at go with --evening; see ./box help"; return 0; }
+  [ -f "$evening" ] || fail "there is no show log $evening"
+  [ -n "$without" ] || fail "--evening wants --without and the role that is live, such as head"
+  [ -z "$record" ] || fail "--evening is played live, and --record plays a scenario; kaori-rehearsal --log films an evening"
+  of_evening=(--evening "$evening" --without "$without" ${at:+--at "$at"})
 }
 
 # Whether some program listens on the port: in_use PORT [ADDRESS].
@@ -71,6 +81,7 @@ choose_port() {
   fi
 }
 
+of_evening=()  # What the stage is told of an evening that it plays again.
 in_service=  # Whether the lips can be calibrated.
 declare -A playing=() started=()  # Process id -> program; program -> second of its start.
 
@@ -80,7 +91,7 @@ launch() {
   local -a options=(--links "$RUN/links" "${@:2}")
   case $program in
     kaori-sim) options+=(--board "$RUN/board" --labels "$labels" --address-file "$RUN/address") ;;
-    kaori-stage) options+=(--board "$RUN/board" --pack "$pack") ;;
+    kaori-stage) options+=(--board "$RUN/board" --pack "$pack" "${of_evening[@]}") ;;
     kaori-lips) options+=(--board "$RUN/board" --pack "$pack") ;;
     kaori-desk) options=(--service --local --board "$RUN/board" --port "$desk_port" --data out/desk --address-file "$RUN/desk") ;;
     *) options+=(--board "$RUN/board") ;;

@@ -26,6 +26,9 @@ expect "--listen wants a value" demo --listen
 expect "expected an IPv4 address of this machine" demo --listen nowhere
 expect "expected an IPv4 address of this machine" demo --listen 192.168.0.256
 expect "--pack wants a value" demo --pack
+expect "there is no show log /nowhere" demo --evening /nowhere
+expect "--evening wants --without" demo --evening /etc/passwd
+expect "go with --evening" demo --at 19:43
 expect "show wants new, pack, play or take" show
 expect "show knows no dance" show dance
 expect "show new takes the name of one FOLDER" show new

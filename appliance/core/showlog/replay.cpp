@@ -18,8 +18,14 @@ void Replay::GoTo(Time at) {
   goes_on_ = false;
 }
 
-// A chunk that cannot be read is named and passed over; the next one begins with a state of its own.
 bool Replay::Next() {
+  if (!Read()) return false;
+  Make();
+  return true;
+}
+
+// A chunk that cannot be read is named and passed over; the next one begins with a state of its own.
+bool Replay::Read() {
   while (chunk_ < log_.chunks().size()) {
     const Chunk& chunk = log_.chunks()[chunk_];
     if (frame_ == chunk.head.frames) {
@@ -36,7 +42,6 @@ bool Replay::Next() {
       goes_on_ = false;
       continue;
     }
-    Make();
     return true;
   }
   return false;

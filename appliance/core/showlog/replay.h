@@ -23,11 +23,18 @@ class Replay {
   // Goes to the chunk in which `at` lies, or to the next one; the following Next gives its first frame.
   void GoTo(Time at);
 
-  // Makes the next frame. False at the end of the log. A chunk that cannot be played is named and passed over.
+  // Reads the next frame and makes it. False at the end of the log. A chunk that cannot be played is named and passed over.
   bool Next();
 
-  // Of the frame that Next made.
+  // The two halves of Next, for whoever plays something else over what was read. A frame that was read and not made leaves
+  // made() as it was, but where a stretch begins: there its state is the log's.
+  bool Read();
+  void Make();
+
+  // The frame that was made last.
   const performance::Performed& made() const { return made_; }
+  // Of the frame that was read last: what it had seen of the board, when it was presented, its board and its events.
+  const performance::SeenInput& seen() const { return seen_; }
   Time presented_at() const { return input_.presented_at; }
   const board::Snapshot& board() const { return input_.board; }
   const performance::InputEvents& events() const { return input_.events; }
@@ -45,8 +52,6 @@ class Replay {
   // Reads the next frame's bytes into input_ and, where it has one, state_. Nothing is changed where they are none; then why.
   std::optional<std::string> ReadFrame();
   std::optional<std::string> ReadState(std::span<const std::uint8_t> from, std::size_t& at);
-  // Makes the frame from input_ and made_.state, and compares it with `sum`.
-  void Make();
   void BeginChunk();
 
   const LogFile& log_;

@@ -15,6 +15,7 @@
 #include "appliance/core/roles/roles_file.h"
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
+#include "appliance/programs/stage/evening.h"
 #include "appliance/programs/stage/last_face.h"
 #include "appliance/programs/stage/screen_session.h"
 #include "appliance/programs/stage/show_log.h"
@@ -44,6 +45,9 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --own FOLDER    where the box's own roles.toml lies, and expressions that are made on it are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
   --last-face FILE  the last face is kept there, and the show goes on with it when the box is switched on
+  --evening FILE  plays the evening of this show log again, without the part of one operator, who is live: minus one
+  --without ROLE  whose part that is; "lips" is that of lips and voice
+  --at TIME       where it begins, by the clock of that evening, as in 19:43:10
   --log FOLDER    keeps the show log there: what each frame was made of, three evenings of it
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
@@ -60,6 +64,7 @@ constexpr int kStillWidth_px = 480;
 struct Settings {
   std::string log, still, last_face, board, pack, links, card, trust, own, mode, fdkeeper,
       settings = "/run/kaori-profile";
+  kaori::stage::EveningOptions evening;
   bool early = false, verified = false;
 };
 
@@ -181,9 +186,13 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto studio = kaori::stage::Studio::Open(std::move(loaded->show), std::move(*context));
   if (!studio) return kaori::ExitWithError(studio.error());
   kaori::stage::StillClock clock(!settings.still.empty());
+  auto evening = kaori::stage::OpenEvening(settings.evening, settings.pack,
+                                           OwnFolder(settings) / "roles.toml", (*studio)->show());
+  if (!evening) return kaori::ExitWithError(evening.error());
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.SetEditor(std::move(loaded->editor));
+  if (evening->play) stage.PlayOver(std::move(evening->play));
   const auto log = LogOf(settings, loaded->log_head);
   if (log) stage.SetLog(&log->recorder());
   if (last_face)
@@ -237,6 +246,9 @@ int main(int argc, char** argv) {
       .Text("--last-face", settings.last_face)
       .Text("--own", settings.own)
       .Text("--log", settings.log)
+      .Text("--evening", settings.evening.log)
+      .Text("--without", settings.evening.without)
+      .Text("--at", settings.evening.at)
       .Text("--mode", settings.mode)
       .Text("--settings", settings.settings)
       .Text("--fdkeeper", settings.fdkeeper)

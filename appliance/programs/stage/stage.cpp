@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/performance/motions.h"
@@ -200,10 +201,21 @@ performance::Performed Stage::AnimateAndNote(const board::Snapshot& snapshot,
   return performed;
 }
 
+const board::Snapshot& Stage::WithEvening(const board::Snapshot& live, Time presented_at) {
+  if (!std::exchange(evening_began_, true)) state_ = evening_->Begin(presented_at);
+  laid_ = live;
+  if (evening_->Lay(presented_at, laid_)) return laid_;
+  Log("the evening from the log is over: all operators are live");
+  evening_.reset();
+  performance::ForgetCounters(state_.seen);
+  return laid_;
+}
+
 // One frame of the show without drawing. Events are handed on in this order: calibration, editor,
 // performance; each takes out what it uses. The state goes to the board with every frame: that is what a
 // stage which is killed resumes from.
-scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time presented_at) {
+scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
+  const board::Snapshot& snapshot = evening_ ? WithEvening(live, presented_at) : live;
   performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);
   const bool guiding = IsGuiding(snapshot.lips_guide, presented_at);
   if (guiding) ConsumeGuideInput(events);

@@ -13,6 +13,7 @@
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/snapshot.h"
 #include "appliance/core/performance/animate.h"
+#include "appliance/core/showlog/minus_one.h"
 #include "appliance/core/showlog/recorder.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/frame_pacer.h"
@@ -50,6 +51,10 @@ class Stage {
 
   // From the next frame on each is noted there, seen or not. The recorder outlives the stage; null: no longer.
   void SetLog(showlog::Recorder* log) { log_ = log; }
+
+  // Plays an evening again from its log, from the next frame on, without the part of one operator, which is live. When it is
+  // over, or where its log has a gap, all of the board is live. The evening was opened on the studio's show.
+  void PlayOver(std::unique_ptr<showlog::MinusOne> evening) { evening_ = std::move(evening); }
 
   // Called after each frame that the screen has accepted; until it returns the next one waits.
   using AfterFrame = std::function<void(const performance::State&, const scene::Scene&, Time now)>;
@@ -103,8 +108,10 @@ class Stage {
   performance::Performed AnimateAndNote(const board::Snapshot& snapshot,
                                         const performance::InputEvents& events, Time presented_at,
                                         bool changed);
+  // The live board with the evening over it, where one is played; borrowed until the next call.
+  const board::Snapshot& WithEvening(const board::Snapshot& live, Time presented_at);
   // Moves the show on to `presented_at`, writes state, motion and lamps to the board, and gives the scene.
-  scene::Scene Perform(const board::Snapshot& snapshot, Time presented_at);
+  scene::Scene Perform(const board::Snapshot& live, Time presented_at);
   // One line where calls were refused or lost in this frame; both counts are those before it.
   void LogCalls(std::uint32_t refused_before, std::uint32_t lost_before);
   // Writes which motion plays, for its sound.
@@ -122,6 +129,9 @@ class Stage {
   std::unique_ptr<ports::Scanout> screen_;
   std::unique_ptr<editor::ExpressionEditor> editor_;
   showlog::Recorder* log_ = nullptr;
+  std::unique_ptr<showlog::MinusOne> evening_;
+  board::Snapshot laid_;  // The board of this frame, where an evening lies over it.
+  bool evening_began_ = false;
   // The state of the show, as it was written to the board last.
   performance::State state_;
   bool resumed_ = false;
