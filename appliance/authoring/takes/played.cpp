@@ -114,8 +114,7 @@ class PlayedCurve {
   static void MakeRise(std::vector<float>& times) {
     std::ranges::sort(times);
     const auto same = [](float a, float b) { return b - a < kSameTime_s; };
-    const auto rest = std::ranges::unique(times, same);
-    times.erase(rest.begin(), rest.end());
+    times.erase(std::unique(times.begin(), times.end(), same), times.end());
   }
 
   const Take& take_;
