@@ -9,6 +9,21 @@ constexpr Duration kLookPeriod = std::chrono::seconds(1);
 // A stage writes its status once a frame, so two seconds are no pause of one that lives.
 constexpr Duration kSilence = std::chrono::seconds(2);
 
+// Each item in words, with its state, which is as board::CheckedState counts. Null where none was made on this box yet.
+// One that runs and is silent has ended with its stage, and is none either.
+json::Value CheckJson(const board::Stamped<board::LineCheck>& check, Time now) {
+  const bool running = check.value.phase == board::LineCheckPhase::kRunning;
+  if (check.source != board::SourceState::kLive || check.value.phase == board::LineCheckPhase::kNever ||
+      (running && now - check.at >= kSilence))
+    return {};
+  json::List items;
+  for (const board::CheckedItem& item : board::ItemsOf(check.value))
+    items.push_back(json::List{std::string(board::DeviceOf(item)), board::PhraseOf(item),
+                               static_cast<std::uint32_t>(item.state)});
+  return json::Object{
+      {"running", running}, {"summary", board::SummaryOf(check.value)}, {"items", std::move(items)}};
+}
+
 }  // namespace
 
 // Nothing: no stage writes the board. It is looked for once in a period, since each look opens a file.
@@ -17,7 +32,7 @@ std::optional<StageMonitor::Now> StageMonitor::Look() {
   if (board_) {
     const auto status = board_->Read<board::StageStatus>();
     if (status.source == board::SourceState::kLive && now - status.at < kSilence)
-      return Now{status.value, board_->Read<board::ShowNow>().value};
+      return Now{status.value, board_->Read<board::ShowNow>().value, board_->Read<board::LineCheck>()};
   }
   // Looked for anew, since a stage that was started again may have made another file.
   if (now < look_at_) return std::nullopt;
@@ -51,6 +66,7 @@ json::Value StageMonitor::Read() {
                       {"refused", show.gos_refused},
                       {"sheet", show.sheet},
                       {"levels", std::move(levels)},
+                      {"check", CheckJson(now->check, clock_.now())},
                       {"role_devices", json::ListOf(show.role_devices)}};
 }
 

@@ -11,7 +11,7 @@
 
 namespace kaori::sim {
 
-// Maps the board for reading and copies two sections out of it. One thread. Reads only:
+// Maps the board for reading and copies three sections out of it. One thread. Reads only:
 // the board is neither made nor changed.
 class StageMonitor {
  public:
@@ -21,7 +21,8 @@ class StageMonitor {
   // What is on stage, as the page reads it; null while no stage draws:
   //   {"scene","style","cue","standby","pending":numbers, "left_s":seconds,
   //    "paused","panicking","black","waiting":bools, "refused":count, "sheet":number,
-  //    "levels":[[value,owner,role]..], "role_devices":[number..]}
+  //    "levels":[[value,owner,role]..],
+  //    "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]}, "role_devices":[number..]}
   // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue. Does
   // not block; where there is no board, or a stage that has been silent for two seconds, the file is looked for anew
   // once a second.
@@ -31,6 +32,7 @@ class StageMonitor {
   struct Now {
     board::StageStatus status;
     board::ShowNow show;
+    board::Stamped<board::LineCheck> check;
   };
   // The sections as a stage that draws wrote them last.
   std::optional<Now> Look();

@@ -64,6 +64,12 @@ TEST_F(StageCallerTest, MovesLevelsLetsGoOfThemAndLoadsRoles) {
   EXPECT_THAT(Refused("load 1 nan"), HasSubstr("expected such as load 1 0"));
 }
 
+TEST_F(StageCallerTest, BeginsALineCheck) {
+  ASSERT_TRUE(caller_.Call("check 1"));
+  EXPECT_EQ(Calls().newest[0].verb, board::CallVerb::kLineCheck);
+  EXPECT_EQ(Calls().newest[0].subject, static_cast<std::uint32_t>(board::LineCheckCall::kBegin));
+}
+
 TEST_F(StageCallerTest, SaysSoWhereAnotherProgramHasTheCalls) {
   const board::Board board = board::Board::Create(file_).value();
   const auto other = board::Caller::Acquire(board, board::CallWriter::kControl);

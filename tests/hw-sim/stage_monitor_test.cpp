@@ -55,6 +55,21 @@ TEST_F(Monitored, IsToldAsThePageReadsIt) {
             std::string::npos);
 }
 
+TEST_F(Monitored, TellsOfALineCheckInWordsAndOfNoneThatEndedWithItsStage) {
+  EXPECT_NE(ReadInASecond().find(R"("check":null,)"), std::string::npos);
+  board::LineCheck check{.phase = board::LineCheckPhase::kRunning, .count = 1};
+  check.items[0] = {.kind = board::CheckedKind::kAxis, .number = 1, .state = board::CheckedState::kStuck};
+  auto writer = board_.AcquireWriter<board::LineCheck>().value();
+  writer.Write(check, clock_.now() + 1s, board::SourceState::kLive);
+  EXPECT_NE(ReadInASecond().find(R"("check":{"running":true,"summary":"0 of 1 work; left stick y stuck",)"
+                                 R"("items":[["left stick","y stuck",2]]})"),
+            std::string::npos)
+      << Read();
+  ASSERT_NE(ReadInASecond(), "null");
+  ASSERT_NE(ReadInASecond(), "null");
+  EXPECT_NE(ReadInASecond().find(R"("check":null,)"), std::string::npos);
+}
+
 TEST_F(Monitored, IsNothingWhileNoStageDraws) {
   EXPECT_EQ(Read(), "null") << "nobody has written";
   ASSERT_NE(ReadInASecond(), "null");

@@ -46,6 +46,7 @@ AGAINST = (
     ("render/passes/a.cpp", '"appliance/core/show/show.h"', "render/passes/ may include only"),
     ("appliance/core/board/a.h", '"render/scene/scene.h"', "appliance/core/board/ may include only"),
     ("appliance/core/last_face/a.h", '"appliance/core/board/board.h"', "appliance/core/last_face/ may include only"),
+    ("appliance/core/linecheck/a.h", '"appliance/programs/stage/stage.h"', "appliance/core/linecheck/ may include only"),
     ("appliance/core/showlog/a.h", '"appliance/programs/stage/stage.h"', "appliance/core/showlog/ may include only"),
     ("appliance/core/roles/a.h", '"appliance/core/board/board.h"', "appliance/core/roles/ may include only"),
     ("appliance/core/show/a.h", '"appliance/core/board/board.h"', "appliance/core/show/ may include only"),

@@ -7,7 +7,7 @@ _BASE = ("firmware/wire/", "drivers/base/")
 _PORTS = _BASE + ("drivers/ports/",)
 _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "show", "roles", "performance", "showlog"))
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "show", "roles", "performance", "linecheck", "showlog"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
@@ -35,6 +35,7 @@ MAY_INCLUDE = (
     ("appliance/core/show/", _DRAWING),
     ("appliance/core/roles/", ("drivers/base/", "appliance/core/toml/", "appliance/core/show/", "render/face/", "render/scene/")),
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
+    ("appliance/core/linecheck/", _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
     ("appliance/core/showlog/", _BASE + _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
     ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/",)),
     ("appliance/programs/data/", _BASE + ("appliance/core/board/",)),

@@ -74,7 +74,16 @@ class Watcher {
       Tell(at, fmt::format("{} calls named what the show has not", refused));
     if (const std::uint32_t lost = state.calls_lost - calls_lost_; lost != 0)
       Tell(at, fmt::format("{} calls came faster than the frames and are lost", lost));
-    const auto sources = SourcesOf(replay.board());
+    const board::LineCheck& check = replay.board().line_check.value;
+    if (check.phase == board::LineCheckPhase::kEnded && check_phase_ == board::LineCheckPhase::kRunning)
+      evening_.line_checks.push_back({at, log_.DayTimeText(at), board::SummaryOf(check)});
+    if (check.phase != board::LineCheckPhase::kRunning) CompareSources(replay.board(), at);
+    MeasureDelay(replay.board(), at);
+  }
+
+  // A line check gives nothing of the devices to the show, which is no loss of them.
+  void CompareSources(const board::Snapshot& board, Time at) {
+    const auto sources = SourcesOf(board);
     for (std::size_t i = 0; i < sources.size(); ++i) {
       const bool live = sources[i].state == board::SourceState::kLive;
       const bool was = sources_[i].state == board::SourceState::kLive;
@@ -84,7 +93,6 @@ class Watcher {
       Tell(at, live ? fmt::format("{} is back after {:.1f} s", sources[i].name, Seconds(at - lost_at_[i]))
                     : fmt::format("{} is lost", sources[i].name));
     }
-    MeasureDelay(replay.board(), at);
   }
 
   // What was called in the same frame is what began the cue; a chain and a wait begin theirs without a call.
@@ -127,7 +135,8 @@ class Watcher {
     gos_refused_ = state.cue_run.refused;
     calls_refused_ = state.calls_refused;
     calls_lost_ = state.calls_lost;
-    sources_ = SourcesOf(board);
+    check_phase_ = board.line_check.value.phase;
+    if (check_phase_ != board::LineCheckPhase::kRunning) sources_ = SourcesOf(board);
     stamps_ = {board.surface.at, board.sticks[0].at, board.sticks[1].at, board.keys.at};
     known_ = true;
   }
@@ -142,6 +151,7 @@ class Watcher {
   std::uint32_t gos_refused_ = 0, calls_refused_ = 0, calls_lost_ = 0;
   std::array<Source, 8> sources_{};
   std::array<Time, 8> lost_at_{};
+  board::LineCheckPhase check_phase_{};
   std::array<Time, 4> stamps_{};
 };
 

@@ -48,6 +48,7 @@ struct Evening {
   std::uint64_t frames = 0, frames_that_differ = 0;
   std::vector<PlayedCue> cues;
   std::vector<ActPlayed> acts;
+  std::vector<Incident> line_checks;  // Each with what came of it.
   std::vector<Incident> refused, incidents;
   Delays hand_to_scanout;
   std::vector<std::string> faults;  // Of the logs themselves.

@@ -71,6 +71,9 @@ Report ReportOf(const Evening& evening, std::span<const Evening> earlier, const 
   Report report{.title = fmt::format("{}, {}", show.name, evening.day), .lines = {}, .tables = {}};
   report.lines.push_back(fmt::format("From {} to {}: {}, {} frames.", evening.begins, evening.ends,
                                      Length(evening.length), evening.frames));
+  if (evening.line_checks.empty()) report.lines.push_back("No line check was made.");
+  for (const Incident& check : evening.line_checks)
+    report.lines.push_back(fmt::format("Line check at {}: {}.", check.clock, check.what));
   std::size_t called = 0;
   for (const PlayedCue& played : evening.cues) called += played.chain ? 0 : 1;
   report.lines.push_back(

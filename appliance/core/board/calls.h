@@ -28,8 +28,10 @@ enum class CallVerb : std::uint32_t {
   kLetGo,     // `subject` is a show::Level of which its owner shall let go.
   kLoadRole,  // `subject` is the role's place among the show's, `value` the show::Device from which it is played from now on;
               // one more than the last device: nobody plays it.
+  kLineCheck,  // `subject` is a LineCheckCall. The stage itself hears it, and the show does not.
 };
-inline constexpr std::uint32_t kCallVerbCount = 6;
+inline constexpr std::uint32_t kCallVerbCount = 7;
+enum class LineCheckCall : std::uint32_t { kEnd, kBegin, kLampsWereLit };
 inline constexpr std::uint32_t kCallGo = 0;  // The subject of GO: writers know no show.
 
 // By which control a person called.

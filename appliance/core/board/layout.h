@@ -34,9 +34,10 @@ enum class Section : std::uint32_t {
   kLamps,
   kStageStatus,
   kShowNow,
+  kLineCheck,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 18;
+inline constexpr std::size_t kSectionCount = 19;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
@@ -94,6 +95,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"lamps", ValueWords<Lamps>()},
                                                   {"stage_status", ValueWords<StageStatus>()},
                                                   {"show_now", ValueWords<ShowNow>()},
+                                                  {"line_check", ValueWords<LineCheck>()},
                                                   {"performance", ValueWords<Performance>()}}};
   std::size_t at = kHeadWords;
   for (SectionPlace& place : places) {
@@ -105,7 +107,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
 
 }  // namespace internal
 
-// The whole board as this build has it: about 55 KB, most of it four copies of `performance`.
+// The whole board as this build has it: about 65 KB, most of it four copies of `performance`.
 inline constexpr std::array<SectionPlace, kSectionCount> kPlaces = internal::PlaceSections();
 inline constexpr std::size_t kBoardWords = kPlaces.back().at_word + SectionWords(kPlaces.back().value_words);
 inline constexpr std::size_t kBoardBytes = kBoardWords * sizeof(std::uint32_t);
@@ -147,6 +149,7 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Desk>) return Section::kDesk;
   if constexpr (std::is_same_v<T, StageStatus>) return Section::kStageStatus;
   if constexpr (std::is_same_v<T, ShowNow>) return Section::kShowNow;
+  if constexpr (std::is_same_v<T, LineCheck>) return Section::kLineCheck;
   if constexpr (std::is_same_v<T, Performance>) return Section::kPerformance;
 }
 

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "appliance/core/board/calls.h"
+#include "appliance/core/board/line_check.h"
 #include "appliance/core/board/show_now.h"
 #include "drivers/base/clock.h"
 
@@ -110,6 +111,7 @@ struct Lines {
   static constexpr const char* kName = "lines";
   std::uint32_t active = 0;                // Bit n: line n is active.
   std::array<std::uint32_t, 16> pushes{};  // How often each became active since the board began.
+  std::uint32_t wired = 0xF;               // Bit n: line n is wired on this box.
 };
 
 // The operator's painted lips before the camera. Sizes are of the paint's outline, as fractions of the

@@ -29,6 +29,7 @@ void KeepAbsent(Snapshot& now, const Snapshot& before) {
   KeepAbsent(now.desk, before.desk);
   KeepAbsent(now.lamps, before.lamps);
   KeepAbsent(now.stage_status, before.stage_status);
+  KeepAbsent(now.line_check, before.line_check);
 }
 
 }  // namespace
@@ -46,7 +47,8 @@ Snapshot ReadAll(const Board& board) {
           .lips_guide = board.Read<LipsGuide>(),
           .desk = board.Read<Desk>(),
           .lamps = board.Read<Lamps>(),
-          .stage_status = board.Read<StageStatus>()};
+          .stage_status = board.Read<StageStatus>(),
+          .line_check = board.Read<LineCheck>()};
 }
 
 // The check comes after the reading: pages may vanish in the middle of it.

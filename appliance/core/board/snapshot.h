@@ -7,7 +7,7 @@
 
 namespace kaori::board {
 
-// A plain copy of about 5 KB, trivially copyable; a field that nobody writes has its default value and kAbsent.
+// A plain copy of about 7 KB, trivially copyable; a field that nobody writes has its default value and kAbsent.
 struct Snapshot {
   Stamped<Surface> surface;
   std::array<Stamped<Stick>, 2> sticks;  // [0] left (head), [1] right (gaze and brows).
@@ -21,6 +21,7 @@ struct Snapshot {
   Stamped<Desk> desk;
   Stamped<Lamps> lamps;
   Stamped<StageStatus> stage_status;
+  Stamped<LineCheck> line_check;
 };
 
 // Each section is whole and valid in itself; two sections may be a few hundred nanoseconds apart. Never

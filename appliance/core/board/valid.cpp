@@ -127,6 +127,17 @@ bool Valid(const ShowNow& show) {
          });
 }
 
+// Readers use the kind and the state as indices, of items that are not used too.
+bool Valid(const LineCheck& check) {
+  return check.phase <= LineCheckPhase::kEnded && check.count <= LineCheck::kMostItems &&
+         std::ranges::all_of(check.items, [](const CheckedItem& item) {
+           return static_cast<std::uint32_t>(item.kind) < kCheckedKindCount &&
+                  static_cast<std::uint32_t>(item.state) < kCheckedStateCount &&
+                  Within(item.low, -kMaxFigure, kMaxFigure) && Within(item.high, -kMaxFigure, kMaxFigure) &&
+                  item.low_first <= 1;
+         });
+}
+
 // Of the bytes themselves performance::IsValid judges, when a stage takes them up.
 bool Valid(const Performance& performance) {
   return performance.bytes <= Performance::kCapacityBytes;

@@ -142,6 +142,8 @@ bool Handle(State& state, const board::Call& call, const show::Show& show) {
     case board::CallVerb::kLoadRole:
       return call.value >= 0 && call.value <= kNoDevice &&
              LoadRole(state, show.roles, call.subject, static_cast<std::uint32_t>(call.value));
+    case board::CallVerb::kLineCheck:
+      return false;  // The stage's own (programs/stage/line_checker.h), which takes it out of the events.
   }
   return false;
 }

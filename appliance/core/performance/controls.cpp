@@ -3,43 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appliance/core/performance/stick_way.h"
+
 namespace kaori::performance {
 namespace {
-
-using show::Control;
 
 // So near, as a part of the map's range, a control has met its level; within kSameMovement_s after it took it, it keeps it
 // even where it moved on faster than that.
 constexpr float kMeets = 3.0F / 128;
 constexpr float kSameMovement_s = 0.05F;
 constexpr float kAtTheEnd = 1e-6F;  // Of a way that is left: nothing to divide by.
-
-// Up is 1 and down -1, right is 1 and left -1; between two of them the hat says neither.
-float HatWay(std::int32_t hat, std::int32_t one, std::int32_t other) {
-  if (hat == one) return 1;
-  return hat == other ? -1.0F : 0.0F;
-}
-
-// -1 to 1 of what springs back, 0 to 1 of the slider. A dial has no way: it only turns.
-float WayOn(const board::Stick& stick, Control control) {
-  switch (control) {
-    case Control::kX:
-      return stick.x;
-    case Control::kY:
-      return stick.y;
-    case Control::kTwist:
-      return stick.twist;
-    case Control::kHatX:
-      return HatWay(stick.hat, 2, 6);
-    case Control::kHatY:
-      return HatWay(stick.hat, 0, 4);
-    case Control::kSlider:
-      return stick.slider;
-    case Control::kDial:
-      break;
-  }
-  return 0;
-}
 
 }  // namespace
 
@@ -62,7 +35,7 @@ bool Controls::IsLive(std::uint8_t role) const {
   return device < board_.sticks.size() && board_.sticks[device].source == board::SourceState::kLive;
 }
 
-bool Controls::IsOn(std::uint8_t role, Control control) const {
+bool Controls::IsOn(std::uint8_t role, show::Control control) const {
   const std::uint8_t device = state_.role_devices[role];
   return device != kNoDevice && show::Has(static_cast<show::Device>(device), control);
 }

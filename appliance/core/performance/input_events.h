@@ -64,6 +64,15 @@ class InputEvents {
     count_ = kept;
   }
 
+  // The same of calls.
+  template <class Predicate>
+  void ConsumeCalls(Predicate consumes) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < call_count_; ++i)
+      if (const board::Call call = calls_[i]; !consumes(call)) calls_[kept++] = call;
+    call_count_ = kept;
+  }
+
   // Counts of each dial since the last frame; clockwise is positive. How many make a turn is
   // Surface::counts_per_turn. A consumer sets what it uses to 0.
   std::array<std::int32_t, 8> turned{};

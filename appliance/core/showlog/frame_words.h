@@ -12,8 +12,8 @@
 
 namespace kaori::showlog {
 
-// All that performance::Animate was given of the board. Sections that it does not read (lamps, guide, desk, status) are absent:
-// a log says nothing of pairing codes.
+// All that performance::Animate was given of the board, and the line check for the report. Other sections that it does not read
+// (lamps, guide, desk, status) are absent: a log says nothing of pairing codes.
 struct FrameInput {
   Time presented_at{};
   board::Snapshot board;
@@ -32,11 +32,12 @@ constexpr void ForSections(Board& board, With with) {
   with(board.pointer);
   with(board.lips);
   with(board.voice);
+  with(board.line_check);
 }
 
 // The times of the frame before, from which those of the next one are told. A chunk begins with none.
 struct FrameTimes {
-  static constexpr std::size_t kSections = 10;
+  static constexpr std::size_t kSections = 11;
   Time presented_at{};
   std::array<Time, kSections> stamps{};
 };
@@ -55,7 +56,8 @@ inline constexpr std::size_t kWordsOfSections = (0 + ... + (kSectionHead + kWord
 inline constexpr std::size_t kFrameWords =
     internal::kWordsOf<Duration> + 1 +
     internal::kWordsOfSections<board::Surface, board::Stick, board::Stick, board::Keys, board::Lines,
-                               board::Calls, board::Calls, board::Pointer, board::Lips, board::Voice> +
+                               board::Calls, board::Calls, board::Pointer, board::Lips, board::Voice,
+                               board::LineCheck> +
     internal::kWordsOf<performance::SeenInput> + internal::kWordsOf<performance::InputEvents>;
 using FrameWords = std::array<std::uint32_t, kFrameWords>;
 

@@ -58,7 +58,8 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
                            const InputSettings& settings, const Clock& clock)
     : board_(board),
       clock_(clock),
-      lines_(board, std::move(writers.lines), std::move(writers.calls), std::move(sources.lines)),
+      lines_(board, std::move(writers.lines), std::move(writers.calls), std::move(sources.lines),
+             sources.wired_lines),
       maps_(std::move(sources.maps)),
       surface_(board, std::move(writers.surface), settings.counts_per_turn, 1 + kFurtherSurfaces),
       roles_(settings.stick_ports, PortsBefore(board)),

@@ -17,12 +17,14 @@ constexpr Duration kLineRetry = std::chrono::seconds(1);
 using board::SourceState;
 
 LineInputs::LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
-                       ports::GpioOpener open)
+                       ports::GpioOpener open, std::uint32_t wired)
     : writer_(std::move(writer)),
       caller_(std::move(caller)),
       open_(std::move(open)),
       value_(board.Read<board::Lines>().value),
-      source_(board.Read<board::Lines>().source) {}
+      source_(board.Read<board::Lines>().source) {
+  value_.wired = wired;
+}
 
 // Edges before levels that settle by time: a change within the bounce of an earlier one is settled here once
 // the line has been quiet long enough.

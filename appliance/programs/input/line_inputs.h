@@ -20,9 +20,10 @@ inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 class LineInputs {
  public:
   // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
+  // `wired` is as Lines has it.
   // `open` may be called any number of times, from Step alone.
   LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
-             ports::GpioOpener open);
+             ports::GpioOpener open, std::uint32_t wired = 0xF);
 
   // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip needs.
   void Step(Time now);

@@ -184,6 +184,16 @@ kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
   return wiring;
 }
 
+// All of them where no chip is asked for: the simulator has every line. A text that is wrong is told of where the lines are opened.
+std::uint32_t WiredLines(const Settings& settings) {
+  const auto roles = kaori::input::ParseLineRoles(settings.lines);
+  if (settings.chip.empty() || !roles) return 0xF;
+  std::uint32_t wired = 0;
+  for (std::size_t n = 0; n < roles->inputs.size(); ++n)
+    if (roles->inputs[n]) wired |= 1U << n;
+  return wired;
+}
+
 // Empty where neither a chip nor the simulator is asked for.
 kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings, const kaori::Clock& clock) {
   if (settings.chip.empty() && settings.links.empty()) return kaori::ports::GpioOpener{};
@@ -225,6 +235,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!lines) kaori::LogWarning("{}; the show goes on without GPIO lines", lines.error().message());
   kaori::input::InputSources sources;
   if (lines) sources.lines = std::move(*lines);
+  sources.wired_lines = WiredLines(settings);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   sources.maps = ReadMaps(settings.surfaces);
   const auto midi_surfaces = MidiSurfacesOf(sources.maps);

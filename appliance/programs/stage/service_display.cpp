@@ -1,5 +1,6 @@
 #include "appliance/programs/stage/service_display.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -53,6 +54,18 @@ std::vector<std::string> DeskLines(const board::Desk& desk) {
   return lines;
 }
 
+// How far the line check is, and what is next: the first item that was not seen, or does not work.
+std::vector<std::string> CheckLines(const board::LineCheck& check) {
+  std::vector<std::string> lines{fmt::format("line check: {} of {} seen", board::SeenOf(check), check.count)};
+  const auto items = board::ItemsOf(check);
+  const auto next = std::ranges::find_if(
+      items, [](const board::CheckedItem& item) { return item.state != board::CheckedState::kSeen; });
+  if (next != items.end())
+    lines.push_back(fmt::format("{}: {}", board::DeviceOf(*next), board::PhraseOf(*next)));
+  lines.push_back("no control moves the face; Home ends it");
+  return lines;
+}
+
 // A code that has run out is not shown even where the desk hangs and cannot take it away.
 bool HasCode(const board::Stamped<board::Desk>& desk, Time now) {
   const Duration age = now - desk.at;
@@ -71,6 +84,11 @@ void Say(const std::vector<std::string>& lines, scene::Caption& caption) {
 
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now) {
   return guide.source == board::SourceState::kLive && now - guide.at < kGuideSilence;
+}
+
+bool IsChecking(const board::Stamped<board::LineCheck>& check, Time now) {
+  return check.source == board::SourceState::kLive && check.value.phase == board::LineCheckPhase::kRunning &&
+         now - check.at < kGuideSilence;
 }
 
 // Every button confirms a pose, and the three keys confirm or cancel (lips/service/guide.cpp). Other keys stay
@@ -93,6 +111,7 @@ std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now) {
 void ShowService(const board::Snapshot& board, Time now, scene::Scene& scene) {
   if (IsGuiding(board.lips_guide, now) && board.lips_guide.value.captions != 0)
     return Say(GuideLines(board.lips_guide.value), scene.caption);
+  if (IsChecking(board.line_check, now)) return Say(CheckLines(board.line_check.value), scene.caption);
   if (HasCode(board.desk, now)) Say(DeskLines(board.desk.value), scene.caption);
 }
 

@@ -15,7 +15,10 @@ namespace kaori::stage {
 // over. Pure, as all of this file; `now` is the time at which the frame is presented.
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now);
 
-// While it is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board
+// The same of a line check, which ends with its stage.
+bool IsChecking(const board::Stamped<board::LineCheck>& check, Time now);
+
+// While a calibration is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board
 // itself: takes them out of `events`, so that nobody is called by them. Other keys still play. Dials and
 // sticks are not touched.
 void ConsumeGuideInput(performance::InputEvents& events);
@@ -25,7 +28,8 @@ void ConsumeGuideInput(performance::InputEvents& events);
 std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now);
 
 // Adds lines to the scene's caption: those of the calibration where the screen may show captions, else the
-// desk's address and code while they hold. A desk that has been silent for three seconds is gone.
+// line check while one runs, else the desk's
+// address and code while they hold. A desk that has been silent for three seconds is gone.
 void ShowService(const board::Snapshot& board, Time now, scene::Scene& scene);
 
 }  // namespace kaori::stage

@@ -59,8 +59,10 @@ Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
   if (!motion_now) return tl::unexpected(motion_now.error());
   auto show_now = board.AcquireWriter<board::ShowNow>();
   if (!show_now) return tl::unexpected(show_now.error());
-  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*show_now),
-                      std::move(*motion_now)};
+  auto line_check = board.AcquireWriter<board::LineCheck>();
+  if (!line_check) return tl::unexpected(line_check.error());
+  return StageWriters{std::move(*performance), std::move(*lamps),      std::move(*status),
+                      std::move(*show_now),    std::move(*motion_now), std::move(*line_check)};
 }
 
 // The count of frames and the last motion go on from the board, so that readers who compare them see no step back.
@@ -211,15 +213,18 @@ const board::Snapshot& Stage::WithEvening(const board::Snapshot& live, Time pres
   return laid_;
 }
 
-// One frame of the show without drawing. Events are handed on in this order: calibration, editor,
-// performance; each takes out what it uses. The state goes to the board with every frame: that is what a
+// One frame of the show without drawing. Events are handed on in this order: calibration, line check,
+// editor, performance; each takes out what it uses. The state goes to the board with every frame: that is what a
 // stage which is killed resumes from.
 scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   const board::Snapshot& snapshot = evening_ ? WithEvening(live, presented_at) : live;
   performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);
   const bool guiding = IsGuiding(snapshot.lips_guide, presented_at);
   if (guiding) ConsumeGuideInput(events);
-  auto performed = Animate(snapshot, events, presented_at);
+  const board::Snapshot& left = line_checker_.Step(
+      {board_, live, snapshot, studio_.show(), state_, screen_.get(), presented_at}, events);
+  auto performed = Animate(left, events, presented_at);
+  if (line_checker_.running()) performed.lamps = line_checker_.lamps(presented_at);
   if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, presented_at);
   ShowService(snapshot, presented_at, performed.scene);
   const std::uint32_t refused = state_.calls_refused, lost = state_.calls_lost;

@@ -17,6 +17,7 @@
 #include "appliance/core/showlog/recorder.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/frame_pacer.h"
+#include "appliance/programs/stage/line_checker.h"
 #include "appliance/programs/stage/mouth_clock.h"
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/clock.h"
@@ -31,6 +32,7 @@ struct StageWriters {
   board::Writer<board::StageStatus> status;
   board::Writer<board::ShowNow> show_now;
   board::Writer<board::MotionNow> motion_now;
+  board::Writer<board::LineCheck> line_check;
 
   // Errors: as Board::AcquireWriter; a second stage is refused.
   static Result<StageWriters> Acquire(const board::Board& board);
@@ -128,6 +130,7 @@ class Stage {
   const Clock& clock_;
   std::unique_ptr<ports::Scanout> screen_;
   std::unique_ptr<editor::ExpressionEditor> editor_;
+  LineChecker line_checker_{writers_.line_check};
   showlog::Recorder* log_ = nullptr;
   std::unique_ptr<showlog::MinusOne> evening_;
   board::Snapshot laid_;  // The board of this frame, where an evening lies over it.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -157,6 +159,49 @@ void AddDevices(const State& state, std::vector<Line>& lines) {
   lines.push_back(Lines(b.lines, now));
 }
 
+// The devices in the order in which AddDevices names them.
+constexpr std::array<const char*, 9> kCheckedDevices{"dial box",    "left stick", "right stick",
+                                                     "keyboard",    "camera",     "microphone",
+                                                     "loudspeaker", "switches",   "screens"};
+
+Mark MarkOf(const board::LineCheck& check, std::string_view device) {
+  auto worst = board::CheckedState::kSeen;
+  for (const board::CheckedItem& item : board::ItemsOf(check))
+    if (board::DeviceOf(item) == device) worst = std::min(worst, item.state);
+  if (board::Fails(worst)) return Mark::kFault;
+  return worst == board::CheckedState::kSeen ? Mark::kGood : Mark::kMissing;
+}
+
+// While a check runs its lines stand in the place of the devices', with every control of each.
+void AddCheck(const board::LineCheck& check, std::vector<Line>& lines) {
+  lines.push_back(
+      {Mark::kMissing, "line check",
+       fmt::format(
+           "{} of {} are seen. Move each control to both ends, first right, forwards, up or clockwise; push "
+           "each button; no control moves the face. Home ends the check.",
+           board::SeenOf(check), check.count)});
+  for (const char* device : kCheckedDevices)
+    if (const std::string words = board::PhrasesOf(check, device, false); !words.empty())
+      lines.push_back({MarkOf(check, device), device, words + "."});
+}
+
+// One that runs and is silent ended with its stage, and says nothing of the devices any more.
+bool IsCheckRunning(const State& state) {
+  const auto& check = state.board.line_check;
+  return check.source == SourceState::kLive && check.value.phase == board::LineCheckPhase::kRunning &&
+         state.now - check.at < kLate;
+}
+
+// The last one, until the box is switched off: what failed before the house opened is worth knowing in the show.
+void AddLastCheck(const State& state, std::vector<Line>& lines) {
+  const auto& check = state.board.line_check;
+  if (check.source != SourceState::kLive || check.value.phase != board::LineCheckPhase::kEnded) return;
+  const bool all = board::SeenOf(check.value) == check.value.count;
+  lines.push_back(
+      {all ? Mark::kGood : Mark::kMissing, "line check",
+       fmt::format("It ended {} ago: {}.", Length(state.now - check.at), board::SummaryOf(check.value))});
+}
+
 }  // namespace
 
 // The sound is read by itself: a snapshot does not have it.
@@ -173,7 +218,12 @@ std::vector<Line> Describe(const State& state) {
   if (state.facts.screens.empty())
     lines.push_back({Mark::kFault, "screens", "No screen is plugged in; the show goes on unseen."});
   for (const ports::Output& screen : state.facts.screens) lines.push_back(Screen(screen));
-  AddDevices(state, lines);
+  if (IsCheckRunning(state)) {
+    AddCheck(state.board.line_check.value, lines);
+  } else {
+    AddLastCheck(state, lines);
+    AddDevices(state, lines);
+  }
   return lines;
 }
 

@@ -1,6 +1,7 @@
 // Puts the page together from the labels, and keeps its few words true.
 import {makeButtons} from './buttons.js';
 import {makeCables} from './cables.js';
+import {makeCheck} from './check.js';
 import {makeCues, makeStandby} from './cues.js';
 import {makeDials} from './dials.js';
 import {onDrag} from './drag.js';
@@ -84,6 +85,7 @@ async function begin() {
   makeCues($('cues'), labels);
   makeStandby($('lines'), labels);
   makeRoles($('roles'), labels);
+  makeCheck($('check'));
   makeEditor($('stage'), $('picture'));
   makePicture($('picture'));
   makeCables();

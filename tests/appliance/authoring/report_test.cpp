@@ -86,6 +86,25 @@ TEST_F(ReportTest, NamesActsCuesRefusedGosAndWhatWasLost) {
   EXPECT_LT(evening.hand_to_scanout.p99_ms, 60);
 }
 
+TEST_F(ReportTest, SaysWhatALineCheckFoundAndTakesNoDeviceForLostMeanwhile) {
+  EXPECT_THAT(TextOfReport(ReportOf(Evening(), {}, show_)), HasSubstr("No line check was made."));
+  Run(1s);
+  board_.line_check.source = board::SourceState::kLive;
+  board_.line_check.value = {.phase = board::LineCheckPhase::kRunning, .count = 2};
+  board_.line_check.value.items[0] = {.kind = board::CheckedKind::kAxis, .state = board::CheckedState::kSeen};
+  board_.line_check.value.items[1] = {.kind = board::CheckedKind::kButton, .number = 6};
+  board_.sticks[0].source = board_.lips.source = board::SourceState::kAbsent;  // As the stage withholds them.
+  Run(5s);
+  board_.line_check.value.phase = board::LineCheckPhase::kEnded;
+  board_.sticks[0].source = board_.lips.source = board::SourceState::kLive;
+  Run(5s);
+  const Evening evening = Told();
+  ASSERT_EQ(evening.line_checks.size(), 1U);
+  EXPECT_EQ(evening.line_checks[0].what, "1 of 2 work; button 7 not yet seen");
+  EXPECT_TRUE(evening.incidents.empty()) << evening.incidents[0].what;
+  EXPECT_THAT(TextOfReport(ReportOf(evening, {}, show_)), HasSubstr(": 1 of 2 work; button 7 not yet seen."));
+}
+
 TEST_F(ReportTest, ComparesEachCueWithTheUsualEvening) {
   PlayEvening(12s);
   const Evening late = Told();
