@@ -83,6 +83,12 @@ TEST(Take, ThatLoopsJumpsNeitherInItsPlaceNorInItsSpeed) {
       EXPECT_EQ(keys.front().value, 0);
       ASSERT_GT(keys.back().at_s, loop.to_s);
       EXPECT_NEAR(At(keys, loop.from_s), At(keys, loop.to_s), 1e-5F);
+      // The recording goes 52 degrees a second at most, and its two ends lie 34 degrees apart at most: so fast is a blend.
+      const float blended_s = PlayedLength(take) - (loop.to_s - loop.from_s);
+      const float fastest = (52 / stretch + 1.5F * 34 / blended_s) * kDegree_rad * kTakeFrame_s;
+      for (float at_s = loop.from_s; at_s < 2 * loop.to_s; at_s += kTakeFrame_s / 3) {
+        ASSERT_LE(std::abs(step(at_s)), fastest) << at_s << ' ' << stretch << ' ' << blend_s;
+      }
       float most = 0, most_change = 0;  // Anywhere but at the seam.
       for (float at_s = loop.from_s + 3 * kTakeFrame_s; at_s < loop.to_s - 4 * kTakeFrame_s;
            at_s += kTakeFrame_s / 3) {
