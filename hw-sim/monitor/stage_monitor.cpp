@@ -66,6 +66,8 @@ json::Value StageMonitor::Read() {
                       {"refused", show.gos_refused},
                       {"sheet", show.sheet},
                       {"levels", std::move(levels)},
+                      {"locked", show.locked != 0},
+                      {"locked_out", show.locked_out},
                       {"check", CheckJson(now->check, clock_.now())},
                       {"role_devices", json::ListOf(show.role_devices)}};
 }

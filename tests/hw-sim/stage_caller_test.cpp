@@ -64,8 +64,10 @@ TEST_F(StageCallerTest, MovesLevelsLetsGoOfThemAndLoadsRoles) {
   EXPECT_THAT(Refused("load 1 nan"), HasSubstr("expected such as load 1 0"));
 }
 
-TEST_F(StageCallerTest, BeginsALineCheck) {
+TEST_F(StageCallerTest, BeginsALineCheckAndLocks) {
   ASSERT_TRUE(caller_.Call("check 1"));
+  ASSERT_TRUE(caller_.Call("lock 1"));
+  EXPECT_EQ(Calls().newest[1].verb, board::CallVerb::kLock);
   EXPECT_EQ(Calls().newest[0].verb, board::CallVerb::kLineCheck);
   EXPECT_EQ(Calls().newest[0].subject, static_cast<std::uint32_t>(board::LineCheckCall::kBegin));
 }

@@ -72,6 +72,10 @@ class Watcher {
       evening_.refused.push_back({at, log_.DayTimeText(at), "GO within the guard, or after the last cue"});
     if (const std::uint32_t refused = state.calls_refused - calls_refused_; refused != 0)
       Tell(at, fmt::format("{} calls named what the show has not", refused));
+    if (const std::uint32_t out = state.locked_out - locked_out_; out != 0)
+      Tell(at, fmt::format("{} presses or calls were refused by the lock", out));
+    if (state.locked != locked_)
+      Tell(at, state.locked != 0 ? "the show was locked" : "the show was unlocked");
     if (const std::uint32_t lost = state.calls_lost - calls_lost_; lost != 0)
       Tell(at, fmt::format("{} calls came faster than the frames and are lost", lost));
     const board::LineCheck& check = replay.board().line_check.value;
@@ -135,6 +139,8 @@ class Watcher {
     gos_refused_ = state.cue_run.refused;
     calls_refused_ = state.calls_refused;
     calls_lost_ = state.calls_lost;
+    locked_out_ = state.locked_out;
+    locked_ = state.locked;
     check_phase_ = board.line_check.value.phase;
     if (check_phase_ != board::LineCheckPhase::kRunning) sources_ = SourcesOf(board);
     stamps_ = {board.surface.at, board.sticks[0].at, board.sticks[1].at, board.keys.at};
@@ -148,7 +154,8 @@ class Watcher {
   bool known_ = false;
   Time last_{};
   std::int32_t active_ = -1;
-  std::uint32_t gos_refused_ = 0, calls_refused_ = 0, calls_lost_ = 0;
+  std::uint32_t gos_refused_ = 0, calls_refused_ = 0, calls_lost_ = 0, locked_out_ = 0;
+  std::uint16_t locked_ = 0;
   std::array<Source, 8> sources_{};
   std::array<Time, 8> lost_at_{};
   board::LineCheckPhase check_phase_{};

@@ -169,9 +169,18 @@ std::string ReadNumber(Script& script, toml::Section& section) {
 }
 
 // Faces, expressions and styles fade in 1 s where the cue gives no time; light and presence are cut.
+// True or nothing: no cue unlocks.
+bool IsLocked(toml::Section& section) {
+  const toml::Value* lock = section.Find("lock");
+  if (lock == nullptr) return false;
+  if (lock->kind != toml::Value::Kind::kSwitch || !lock->on)
+    section.Fault("lock", "must be true, or not stand here: the service key alone unlocks a show");
+  return true;
+}
+
 show::Cue ReadCue(Script& script, toml::Section section) {
   section.AllowOnly({"number", "name", "act", "notes", "pre_wait_s", "scene", "face", "expression", "style",
-                     "light", "present", "motion", "take", "release", "life", "gaze", "continue",
+                     "light", "present", "motion", "take", "release", "life", "gaze", "lock", "continue",
                      "wait_for"});
   CueReader read(script, section);
   show::Cue cue;
@@ -196,6 +205,7 @@ show::Cue ReadCue(Script& script, toml::Section section) {
   cue.release = read.Release();
   if (section.Has("life")) cue.life = LifeAt(section, "life", show::kKeepsLife);
   if (section.Has("gaze")) cue.gaze = GazeNamed(script, section, "gaze", section.Text("gaze"));
+  cue.lock = IsLocked(section);
   cue.next = read.Next();
   read.CheckFollow(cue);
   cue.wait = read.Wait();

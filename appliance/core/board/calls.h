@@ -28,9 +28,10 @@ enum class CallVerb : std::uint32_t {
   kLetGo,     // `subject` is a show::Level of which its owner shall let go.
   kLoadRole,  // `subject` is the role's place among the show's, `value` the show::Device from which it is played from now on;
               // one more than the last device: nobody plays it.
+  kLock,      // `subject` is 1: the show is locked (ShowNow::locked). No call unlocks it: 0 is refused.
   kLineCheck,  // `subject` is a LineCheckCall. The stage itself hears it, and the show does not.
 };
-inline constexpr std::uint32_t kCallVerbCount = 7;
+inline constexpr std::uint32_t kCallVerbCount = 8;
 enum class LineCheckCall : std::uint32_t { kEnd, kBegin, kLampsWereLit };
 inline constexpr std::uint32_t kCallGo = 0;  // The subject of GO: writers know no show.
 

@@ -45,7 +45,11 @@ struct ShowNow {
   std::uint32_t gos_refused = 0;  // Counted since the show opened, as the next two; all wrap.
   std::uint32_t calls_refused = 0;
   std::uint32_t calls_lost = 0;
-  std::uint32_t sheet = 0;                       // Which sheet of calls the buttons have, from 0.
+  std::uint32_t sheet = 0;   // Which sheet of calls the buttons have, from 0.
+  std::uint32_t locked = 0;  // 1: only those who play are heard, until the service key is on.
+  std::uint32_t locked_out =
+      0;  // What the lock has refused, counted since the show opened, as the next one; both wrap.
+  std::uint32_t locks_denied = 0;                // The lock was asked for while the service key was on.
   std::array<LevelShown, kMostLevels> levels{};  // In the order of show::Level.
   // By the show's roles: the show::Device from which each is played; one more than the last: nobody plays it.
   std::array<std::uint32_t, kMostRoles> role_devices{};

@@ -119,7 +119,7 @@ bool Valid(const StageStatus& status) {
 
 // Roles are indices into role_devices. Cues and devices are for who knows the show.
 bool Valid(const ShowNow& show) {
-  return Within(show.cue_left_s, 0, kMaxFigure) &&
+  return Within(show.cue_left_s, 0, kMaxFigure) && show.locked <= 1 &&
          std::ranges::all_of(show.levels, [](const LevelShown& level) {
            return Within(level.value, -kMaxFigure, kMaxFigure) &&
                   static_cast<std::uint32_t>(level.owner) < kLevelOwnerCount &&

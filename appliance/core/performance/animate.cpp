@@ -10,6 +10,7 @@
 #include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
+#include "appliance/core/performance/lock.h"
 #include "appliance/core/performance/motions.h"
 #include "appliance/core/performance/mouth.h"
 #include "appliance/core/performance/operator_input.h"
@@ -29,6 +30,8 @@ constexpr Duration kClockBegan = std::chrono::seconds(1);
 // show::Level::kGazePitch: a stick pushed to its end opens or lowers the lids as far as they go.
 constexpr float kLidFollow_rad =
     0.38F;  // The lids have followed wholly when the gaze is this far up or down.
+
+constexpr board::Keys kNoKeys{};  // Of a show that is locked: no key holds a lid.
 
 // Adds a channel that the show has (index -1: it has none). Weights below a ten-thousandth would cost a pass
 // over the mesh and move nothing that is seen; negative ones belong to the channel of the other direction.
@@ -77,13 +80,15 @@ float StepTo(State& state, Time presented_at) {
 void MoveOn(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
             float dt_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
-  for (float* quiet_s : {&state.go_quiet_s, &state.cue_run.since_refused_s})
+  for (float* quiet_s : {&state.go_quiet_s, &state.cue_run.since_refused_s, &state.since_locked_out_s})
     *quiet_s = std::min(kLongAgo_s, *quiet_s + dt_s);
   LetUp(state, board, show, At(state.knobs, Knob::kFade));
+  const bool was_locked = state.locked != 0;
   PlayCalls(state, events, show);
   MoveLevels(state, board, events, show.roles, dt_s);
   HandleLines(state, board.lines, dt_s);
   PlayCues(state, board, show, dt_s);
+  FollowServiceKey(state, was_locked, board.lines);
   FollowKnobs(state, dt_s);
   FollowLevels(state, dt_s);
   const float play_s = PlayTime(state, dt_s);
@@ -110,7 +115,7 @@ void Weigh(State& state, const board::Snapshot& board, const show::Show& show, c
   weights.channels = motion.channels;
   MoveMouth(state, board, show.channels, weights, dt_s);
   face::LimitJaw(show.cast, weights);
-  const auto shut = Lids(state, board.keys.value, dt_s);
+  const auto shut = Lids(state, state.locked != 0 ? kNoKeys : board.keys.value, dt_s);
   for (std::size_t eye = 0; eye < shut.size(); ++eye)
     weights.lids_shut[eye] = std::clamp(std::max(shut[eye], motion.lids), 0.0F, 1.0F);
   scene.styles = {};

@@ -7,6 +7,7 @@
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/levels.h"
+#include "appliance/core/performance/lock.h"
 #include "appliance/core/performance/motions.h"
 
 namespace kaori::performance {
@@ -79,11 +80,12 @@ void Obey(State& state, const show::Call& call, std::uint16_t control, const sho
 // A key does all that the show has for it. X shuts the character's left eye and Z the right one, which is how
 // they lie before the operator.
 void Struck(State& state, std::uint16_t usage, const show::Show& show) {
+  for (const show::KeyCall& key : show.keys)
+    if (key.key_usage == usage && !IsLockedOut(state, key.call))
+      Obey(state, key.call, static_cast<std::uint16_t>(kFirstKeyControl + usage), show);
+  if (state.locked != 0) return;
   if (usage == key::kSpace || usage == key::kX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
   if (usage == key::kSpace || usage == key::kZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
-  for (const show::KeyCall& key : show.keys)
-    if (key.key_usage == usage)
-      Obey(state, key.call, static_cast<std::uint16_t>(kFirstKeyControl + usage), show);
   for (std::size_t i = 0; i < show.motions.size(); ++i)
     if (show.motions[i].key_usage == usage) CallMotion(state, show, static_cast<int>(i));
   for (std::size_t i = 0; i < show.scenes.size(); ++i)
@@ -93,6 +95,7 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show) {
 // The code of a key is its usage; that of a button is its number, which calls what the
 // sheet that is there says.
 void Handle(State& state, const Press& press, const show::Show& show) {
+  if (IsLockedOut(state, press, show)) return NoteLockedOut(state, &press);
   if (press.IsKey())
     Struck(state, press.code, show);
   else
@@ -126,6 +129,10 @@ bool HandleCueCall(State& state, const board::Call& call, const show::Show& show
 // False where the show has not what is called.
 bool Handle(State& state, const board::Call& call, const show::Show& show) {
   const auto level = static_cast<show::Level>(call.subject);
+  if (IsLockedOut(state, call)) {
+    NoteLockedOut(state, nullptr);
+    return true;
+  }
   switch (call.verb) {
     case board::CallVerb::kCue:
     case board::CallVerb::kGoTo:
@@ -142,6 +149,10 @@ bool Handle(State& state, const board::Call& call, const show::Show& show) {
     case board::CallVerb::kLoadRole:
       return call.value >= 0 && call.value <= kNoDevice &&
              LoadRole(state, show.roles, call.subject, static_cast<std::uint32_t>(call.value));
+    case board::CallVerb::kLock:
+      if (call.subject == 1) Lock(state);
+      if (call.subject == 0 && state.locked != 0) NoteLockedOut(state, nullptr);
+      return call.subject <= 1;
     case board::CallVerb::kLineCheck:
       return false;  // The stage's own (programs/stage/line_checker.h), which takes it out of the events.
   }

@@ -7,6 +7,7 @@
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/life.h"
+#include "appliance/core/performance/lock.h"
 #include "appliance/core/performance/motions.h"
 
 namespace kaori::performance {
@@ -56,6 +57,7 @@ void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.gaze) state.life.target = *cue.gaze;
   if (cue.motion == show::kEndsMotion) EndMotions(state);
   if (cue.motion >= 0) PlayMotion(state, cue.motion);
+  if (cue.lock) Lock(state);
   for (std::size_t i = 0; i < show::kLevelCount; ++i)
     if ((cue.release >> i & 1U) != 0) LetGo(state, show.roles, static_cast<show::Level>(i));
 }

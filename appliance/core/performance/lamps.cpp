@@ -89,11 +89,15 @@ bool IsLit(const State& state, const show::Call& call) {
   return false;
 }
 
+bool IsInRefusal(float since_s) {
+  const auto part = static_cast<int>(since_s / kRefusal_s);
+  return part < kRefusals && part % 2 == 0;
+}
+
 // In every other part of the half second after a GO that was refused.
 bool IsRefused(const State& state, const show::Call& call) {
-  const auto part = static_cast<int>(state.cue_run.since_refused_s / kRefusal_s);
   return call.kind == CallKind::kCue && call.index == static_cast<std::uint16_t>(show::CueVerb::kGo) &&
-         part < kRefusals && part % 2 == 0;
+         IsInRefusal(state.cue_run.since_refused_s);
 }
 
 }  // namespace
@@ -126,7 +130,8 @@ std::uint32_t LitLamps(const State& state, const show::Show& show) {
   std::uint32_t lamps = 0;
   for (std::size_t i = 0; i < show.buttons.size(); ++i) {
     const show::Call& call = ButtonOf(state, show, i);
-    if (IsLit(state, call) != IsRefused(state, call)) lamps |= 1U << i;
+    const bool locked_out = i == state.locked_out_button && IsInRefusal(state.since_locked_out_s);
+    if (IsLit(state, call) != (IsRefused(state, call) || locked_out)) lamps |= 1U << i;
   }
   return lamps;
 }

@@ -71,7 +71,7 @@ inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop.
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 13;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 14;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -85,6 +85,11 @@ struct State {
   CueRun cue_run;
   // Calls on the board that named what the show has not, and those that came faster than the frames; both wrap.
   std::uint32_t calls_refused = 0, calls_lost = 0;
+  // The lock (lock.h), what it has refused, and how often it was denied; the counts wrap.
+  std::uint16_t locked = 0;             // 1: it is on.
+  std::uint16_t locked_out_button = 0;  // That was refused last,
+  float since_locked_out_s = 10;        // and for how long that is past.
+  std::uint32_t locked_out = 0, locks_denied = 0;
   // Where the first eight levels (show::Level) stand, and the same smoothed, which is what the face shows. They begin as a
   // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};

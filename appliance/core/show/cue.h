@@ -87,6 +87,7 @@ struct Cue {
   std::uint32_t release = 0;           // Bit n: whoever has the level n (show::Level) lets go of it.
   std::optional<LifeAmounts> life{};   // Parts that are kKeepsLife stay as they were.
   std::optional<std::int32_t> gaze{};  // Whom she looks at, of the show's targets, or kNoTarget.
+  bool lock = false;                   // The show is locked from then on; only the service key unlocks it.
   CueNext next = CueNext::kGo;
   CueWait wait{};
 };

@@ -59,7 +59,7 @@ flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, cons
                          Address(expression), Address(style), Address(light), Address(present), cue.motion,
                          static_cast<std::uint32_t>(cue.next), static_cast<std::uint32_t>(cue.wait.person),
                          cue.wait.for_s, cue.wait.at_most_s, cue.release, Address(life),
-                         cue.gaze.value_or(kSetsNoGaze));
+                         cue.gaze.value_or(kSetsNoGaze), cue.lock);
 }
 
 // Whether indices and numbers mean anything is for CheckShow, which sees the whole show.
@@ -79,6 +79,7 @@ Cue ReadCue(Copier& from, const pack::Cue& stored) {
           .release = stored.release(),
           .life = Held(stored.life()),
           .gaze = stored.gaze() == kSetsNoGaze ? std::nullopt : std::optional(stored.gaze()),
+          .lock = stored.lock(),
           .next = static_cast<CueNext>(Narrow<std::uint8_t>(stored.next())),
           .wait = {static_cast<CuePerson>(Narrow<std::uint8_t>(stored.wait_person())), stored.wait_for_s(),
                    stored.wait_at_most_s()}};

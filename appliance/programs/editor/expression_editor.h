@@ -65,6 +65,8 @@ class ExpressionEditor {
 
   // Whether the author is at work; while it is false nothing but Tab and the keys of own expressions is the editor's.
   bool open() const { return open_; }
+  // Shuts it at once. The work stays as it is, and what is called in the show too.
+  void Close() { open_ = false; }
   // The author's work, for tests and for what is drawn.
   const Session& session() const { return session_; }
   // The control point that is pulled; -1: none.

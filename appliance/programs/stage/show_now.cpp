@@ -65,7 +65,10 @@ board::ShowNow ShowNowOf(const performance::State& state) {
                      .gos_refused = state.cue_run.refused,
                      .calls_refused = state.calls_refused,
                      .calls_lost = state.calls_lost,
-                     .sheet = static_cast<std::uint32_t>(performance::SheetOf(state))};
+                     .sheet = static_cast<std::uint32_t>(performance::SheetOf(state)),
+                     .locked = state.locked,
+                     .locked_out = state.locked_out,
+                     .locks_denied = state.locks_denied};
   for (std::size_t i = 0; i < state.levels.size(); ++i)
     now.levels[i] = {state.levels[i].value, OwnerOf(state.levels[i]), state.levels[i].role};
   std::ranges::copy(state.role_devices, now.role_devices.begin());

@@ -185,13 +185,21 @@ performance::Performed Stage::Animate(const board::Snapshot& snapshot, performan
                                       Time presented_at) {
   if (!editor_) return AnimateAndNote(snapshot, events, presented_at, /*changed=*/false);
   const performance::State before = state_;
-  const board::Snapshot& rest = editor_->Play(snapshot, events, studio_.show(), state_, presented_at);
+  const board::Snapshot& rest = PlayEditor(snapshot, events, presented_at);
   for (const auto& [index, work] : editor_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): see AnimateAndNote.
   const bool changed = std::memcmp(&before, &state_, sizeof(state_)) != 0;
   auto performed = AnimateAndNote(rest, events, presented_at, changed);
   editor_->Describe(performed.scene);
   return performed;
+}
+
+// An editor that was open when the lock came on is shut, and its work stays in it and in its journal.
+const board::Snapshot& Stage::PlayEditor(const board::Snapshot& snapshot, performance::InputEvents& events,
+                                         Time presented_at) {
+  performance::InputEvents none;
+  if (state_.locked != 0) editor_->Close();
+  return editor_->Play(snapshot, state_.locked != 0 ? none : events, studio_.show(), state_, presented_at);
 }
 
 // Bytes of the state that are no field may differ: a state that is noted once too often only takes room.
@@ -227,23 +235,14 @@ scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   if (line_checker_.running()) performed.lamps = line_checker_.lamps(presented_at);
   if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, presented_at);
   ShowService(snapshot, presented_at, performed.scene);
-  const std::uint32_t refused = state_.calls_refused, lost = state_.calls_lost;
+  call_log_.Tell(state_, performed.state, presented_at);
   state_ = performed.state;
-  LogCalls(refused, lost);
   writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);
   writers_.show_now.Write(ShowNowOf(state_), presented_at, board::SourceState::kLive);
   WriteMotionNow(presented_at);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
     writers_.lamps.Write({performed.lamps}, presented_at, board::SourceState::kLive);
   return std::move(performed.scene);
-}
-
-// A remote control that calls what is not there is told so by nothing else.
-void Stage::LogCalls(std::uint32_t refused_before, std::uint32_t lost_before) {
-  if (const std::uint32_t refused = state_.calls_refused - refused_before; refused != 0)
-    LogWarning("{} calls were refused: the show has no such cue, level or role", refused);
-  if (const std::uint32_t lost = state_.calls_lost - lost_before; lost != 0)
-    LogWarning("{} calls are lost: more came between two frames than the board keeps", lost);
 }
 
 // While a motion plays, and once when none does any more: its sound follows.

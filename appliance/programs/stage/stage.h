@@ -16,6 +16,7 @@
 #include "appliance/core/showlog/minus_one.h"
 #include "appliance/core/showlog/recorder.h"
 #include "appliance/programs/editor/expression_editor.h"
+#include "appliance/programs/stage/call_log.h"
 #include "appliance/programs/stage/frame_pacer.h"
 #include "appliance/programs/stage/line_checker.h"
 #include "appliance/programs/stage/mouth_clock.h"
@@ -106,6 +107,9 @@ class Stage {
   // The performance of this frame, with the editor before it where there is one.
   performance::Performed Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
                                  Time presented_at);
+  // What the editor leaves of the board; a show that is locked has no editor.
+  const board::Snapshot& PlayEditor(const board::Snapshot& snapshot, performance::InputEvents& events,
+                                    Time presented_at);
   // The frame of what is left of the board, noted in the log. `changed`: an editor has changed the state before it.
   performance::Performed AnimateAndNote(const board::Snapshot& snapshot,
                                         const performance::InputEvents& events, Time presented_at,
@@ -114,8 +118,6 @@ class Stage {
   const board::Snapshot& WithEvening(const board::Snapshot& live, Time presented_at);
   // Moves the show on to `presented_at`, writes state, motion and lamps to the board, and gives the scene.
   scene::Scene Perform(const board::Snapshot& live, Time presented_at);
-  // One line where calls were refused or lost in this frame; both counts are those before it.
-  void LogCalls(std::uint32_t refused_before, std::uint32_t lost_before);
   // Writes which motion plays, for its sound.
   void WriteMotionNow(Time presented_at);
   // One line when the age of the lips is known, and when it has become another one.
@@ -131,6 +133,7 @@ class Stage {
   std::unique_ptr<ports::Scanout> screen_;
   std::unique_ptr<editor::ExpressionEditor> editor_;
   LineChecker line_checker_{writers_.line_check};
+  CallLog call_log_;
   showlog::Recorder* log_ = nullptr;
   std::unique_ptr<showlog::MinusOne> evening_;
   board::Snapshot laid_;  // The board of this frame, where an evening lies over it.

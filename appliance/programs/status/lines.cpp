@@ -202,11 +202,21 @@ void AddLastCheck(const State& state, std::vector<Line>& lines) {
        fmt::format("It ended {} ago: {}.", Length(state.now - check.at), board::SummaryOf(check.value))});
 }
 
+// How often something was refused is told as long as the lock is on: somebody leans on a keyboard.
+void AddLock(const board::Stamped<board::ShowNow>& show, std::vector<Line>& lines) {
+  if (show.source != SourceState::kLive || show.value.locked == 0) return;
+  std::string words = "The show is locked: only those who play are heard. The service key unlocks it.";
+  if (show.value.locked_out != 0)
+    words += fmt::format(" {} presses or calls were refused.", show.value.locked_out);
+  lines.push_back({Mark::kGood, "lock", words});
+}
+
 }  // namespace
 
-// The sound is read by itself: a snapshot does not have it.
+// Sound and show are read by themselves: a snapshot does not have them.
 State Look(const board::Board& board, Facts facts, Time now) {
-  return {board::ReadAll(board), board.Read<board::Sound>(), std::move(facts), now};
+  return {board::ReadAll(board), board.Read<board::Sound>(), board.Read<board::ShowNow>(), std::move(facts),
+          now};
 }
 
 // The order is fixed, so that a line stays in its row of the picture while only its words change.
@@ -218,6 +228,7 @@ std::vector<Line> Describe(const State& state) {
   if (state.facts.screens.empty())
     lines.push_back({Mark::kFault, "screens", "No screen is plugged in; the show goes on unseen."});
   for (const ports::Output& screen : state.facts.screens) lines.push_back(Screen(screen));
+  AddLock(state.show_now, lines);
   if (IsCheckRunning(state)) {
     AddCheck(state.board.line_check.value, lines);
   } else {

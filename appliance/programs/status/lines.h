@@ -30,9 +30,10 @@ struct Line {
 
 // All that the status depends on, at one moment.
 struct State {
-  // All sections but `sound`, which follows.
+  // All sections but those that follow.
   board::Snapshot board;
   board::Stamped<board::Sound> sound;
+  board::Stamped<board::ShowNow> show_now{};
   // What is known beside the board; `now` is the time at which ages are told.
   Facts facts;
   Time now{};

@@ -9,7 +9,8 @@ function doing(now, cues) {
   const coming = cues[now.pending];
   const comes = coming && (now.waiting ? `${coming.number} waits for a person, ${now.left_s.toFixed(1)} s at most`
                                        : `${coming.number} comes in ${now.left_s.toFixed(1)} s`);
-  return [now.paused && 'Paused', now.black && 'Blackout', now.panicking && 'Panic', comes,
+  return [now.locked && 'Locked: only those who play are heard', now.locked && now.locked_out > 0 && `${now.locked_out} refused`,
+          now.paused && 'Paused', now.black && 'Blackout', now.panicking && 'Panic', comes,
           now.standby >= cues.length && 'The list is over: GO is refused',
           now.refused > 0 && `${now.refused} GO refused`].filter(Boolean).join(' \u00b7 ');
 }
@@ -66,12 +67,17 @@ export function makeCues(parent, {cues, keys}) {
   const words = make('p', {class: 'doing', 'aria-live': 'polite'});
   const rows = cues.map(makeRow);
   const list = make('ol', {'aria-label': 'Cues', tabindex: '0'}, ...rows);
+  const lock = make('button', {type: 'button', class: 'lock', 'aria-pressed': 'false',
+                              title: 'Only those who play are heard, until the service key is on'}, 'Lock');
+  lock.addEventListener('click', () => call('lock 1'));
+  calls.append(lock);
   parent.append(calls, words, list);
   let standby = -2;
   onState(({on_stage: now}) => {
     const text = doing(now, cues);
     if (words.textContent !== text) words.textContent = text;
     mark(rows, now);
+    lock.setAttribute('aria-pressed', String(now?.locked === true));
     if (now && now.standby !== standby) show(list, rows[Math.min(now.standby, rows.length - 1)]);
     standby = now?.standby ?? -2;
   });

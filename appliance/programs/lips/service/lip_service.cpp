@@ -47,8 +47,11 @@ void LipService::Step() {
   if (connection_)
     for (const Command& command : connection_->ReceiveCommands(now)) tuning_.Execute(command, now);
   tuning_.Step(now);
-  guide_.Step(board_.Read<board::Keys>(), board_.Read<board::Surface>(), reader_.meter().lips(), tuning_,
-              now);
+  auto keys = board_.Read<board::Keys>();
+  // A stray key begins no calibration in a show that is locked.
+  if (board_.Read<board::ShowNow>().value.locked != 0 && !guide_.active())
+    keys.source = board::SourceState::kAbsent;
+  guide_.Step(keys, board_.Read<board::Surface>(), reader_.meter().lips(), tuning_, now);
   ShowGuide(now);
   if (connection_) connection_->SendReport(tuning_.report(), now);
 }
