@@ -112,6 +112,8 @@ const Mistake kInTheCues[] = {
      "box"},
     {"CueThatReleasesNoLevel", "cues.toml", "motion = \"bow\"", "release = [\"haed_yaw\"]",
      "cues.toml:[0-9]+: cue 6.release: there is no level \"haed_yaw\"; did you mean \"head_yaw\"[?]"},
+    {"CueThatUnlocks", "cues.toml", "motion = \"bow\"", "lock = false",
+     "cues.toml:[0-9]+: cue 6.lock: must be true, or not stand here: the service key alone unlocks a show"},
     {"CueOfNoFace", "cues.toml", "{ name = \"poster\", in_s = 0 }", "{ name = \"pester\", in_s = 0 }",
      "cues.toml:[0-9]+: cue 1.scene.name: there is no scene \"pester\"; did you mean \"poster\"[?]"},
     {"CueOfNoExpression", "cues.toml", "name = \"surprised\", in_s = 0.6", "name = \"suprised\", in_s = 0.6",

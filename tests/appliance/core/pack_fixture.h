@@ -48,6 +48,7 @@ inline show::Show SmallShow() {
        .motion = 0,
        .life = show::LifeAmounts{show::kKeepsLife, 0.5F, show::kKeepsLife, 1, 0},
        .gaze = show::kNoTarget,
+       .lock = true,
        .wait = {show::CuePerson::kVoiceQuiet, 1, 20}}};
   show.roles.handover_s = 0.5F;
   show.roles.mixes = {{show::CallKind::kExpression, 2}};

@@ -71,6 +71,8 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(list.cues[1].life, show.cue_list.cues[1].life);
   EXPECT_EQ(list.cues[1].gaze, show::kNoTarget);
   EXPECT_FALSE(list.cues[0].gaze);
+  EXPECT_TRUE(list.cues[1].lock);
+  EXPECT_FALSE(list.cues[0].lock);
   EXPECT_EQ(list.tracked[2].life, (show::LifeAmounts{0.5F, 0.5F, 1, 1, 0}))
       << "what a cue does not name stays";
   EXPECT_EQ(list.tracked.size(), 3U) << "what stands after each cue is known at once";

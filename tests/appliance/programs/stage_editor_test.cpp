@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "appliance/core/board/caller.h"
 #include "appliance/core/board/press_log.h"
 #include "appliance/programs/editor/keys.h"
 #include "appliance/programs/stage/stage.h"
@@ -62,6 +63,21 @@ class StageWithAnEditor : public PackTest {
   std::unique_ptr<stage::Studio> studio_;
   std::unique_ptr<stage::Stage> stage_;
 };
+
+TEST_F(StageWithAnEditor, IsShutByTheLockAndNotOpenedAgain) {
+  auto caller = board::Caller::Acquire(board_, board::CallWriter::kControl).value();
+  Frames(3);
+  Strike(key::kTab);
+  Frames(30);
+  ASSERT_TRUE(stage_->expression_editor()->open());
+  caller.Make({.at = clock_.now(), .verb = board::CallVerb::kLock, .subject = 1});
+  Frames(2);
+  EXPECT_FALSE(stage_->expression_editor()->open());
+  Strike(key::kTab);
+  Frames(3);
+  EXPECT_FALSE(stage_->expression_editor()->open());
+  EXPECT_EQ(stage_->state().locked_out, 1U);
+}
 
 TEST_F(StageWithAnEditor, PullWhatThePictureShows) {
   Frames(3);
