@@ -164,6 +164,17 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
   return std::make_unique<kaori::stage::LastFace>(where, look, taken_up);
 }
 
+// Once the first picture is shown: it stays from now on, whatever ends the stage, and the service manager watches the loop.
+// `card` is null where there is none. Errors: those of the watchdog's timer.
+kaori::Result<void> BecomeReady(kaori::scanout::KmsCard* card, const kaori::stage::Stage& stage,
+                                kaori::EventLoop& loop) {
+  if (card != nullptr)
+    if (auto held = card->Preserve(); !held)
+      kaori::LogWarning("the last picture will not stay when the stage ends ({})", held.error().message());
+  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
+  return kaori::service::FeedWatchdog(loop, [&stage] { return stage.usual_turn(); });
+}
+
 // The show is loaded on another thread beside Mesa, which takes about as long; everything else is this
 // thread's. The writers are acquired before Mesa is loaded, so that a second stage ends at once. Once
 // the first picture is shown the card is handed to the fd keeper (Preserve), so that the picture stays when
@@ -213,12 +224,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!settings.still.empty())
     if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
       return kaori::ExitWithError(written.error());
-  if (*card)
-    if (auto held = (*card)->Preserve(); !held)
-      kaori::LogWarning("the last picture will not stay when the stage ends ({})", held.error().message());
-  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
-  if (auto ok = kaori::service::FeedWatchdog(loop, [&] { return stage.usual_turn(); }); !ok)
-    return kaori::ExitWithError(ok.error());
+  if (auto ok = BecomeReady(card->get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
   kaori::stage::StageStatusDisplay status_display(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
   const auto tell = [&] { status_display.Step(stage.screen()); };
