@@ -42,20 +42,22 @@ run_tests() {
   python3 -B tests/appliance/show_report.py $BIN out/show.json || fail "out/show.json is not whole; see above"
 }
 
-# The CPU seconds, user and system, of all that the named command runs. What it says goes to the log.
-cpu_seconds() {
-  local log=$1 TIMEFORMAT='%U %S' used
-  shift
-  used=$({ time "$@" >>"$log" 2>&1; } 2>&1) || fail "the measured build failed; see $log"
-  awk '{ print $1 + $2 }' <<<"$used"
+# What bash's `time` says of the named command, whose words go to the log: timed TIMEFORMAT LOG COMMAND...
+timed() {
+  local TIMEFORMAT=$1 log=$2
+  shift 2
+  { time "$@" >>"$log" 2>&1; } 2>&1 || fail "the measured build, or its tests, failed; see $log"
 }
 
-# Seconds from the touch of one source to the end of its tests: touched_seconds FOLDER LOG
+# The CPU seconds, user and system, of all that a command runs: cpu_seconds LOG COMMAND...
+cpu_seconds() {
+  timed '%U %S' "$@" | awk '{ print $1 + $2 }'
+}
+
+# Seconds from the touch of one source to the end of its tests: touched_seconds LOG FOLDER
 touched_seconds() {
-  local TIMEFORMAT=%R
   touch appliance/core/performance/controls.cpp
-  { time sh -c "ninja -C $1 test-performance && $1/bin/test-performance" >>"$2" 2>&1; } 2>&1 ||
-    fail "the tests of a touched source failed; see $2"
+  timed %R "$1" sh -c "ninja -C $2 test-performance && $2/bin/test-performance"
 }
 
 # Measures what builds cost from nothing, without the compiler cache, in a folder of their own, and keeps the figures in
@@ -72,7 +74,7 @@ measure_builds() {
   say "building the rest of what ./box test needs (minutes)"
   rest=$(cpu_seconds $log ninja -C $folder)
   say "building and running the tests of one touched source"
-  touched=$(touched_seconds $folder $log)
+  touched=$(touched_seconds $log $folder)
   say "building the kernel (minutes)"
   kernel=$(cpu_seconds $log rootfs/image/kernel/build $folder/kernel)
   rm -rf $folder

@@ -108,9 +108,10 @@ GearLook ReadGear(Section s) {
   if (ring || gear.shape == GearLook::Shape::kDisc) ReadFacing(s, gear);
   // One radius, or three.
   gear.radii_cm = s.Has("radius") ? glm::vec3(Real(s, "radius")) : glm::vec3(s.Point("radii"));
-  const glm::vec3 r = gear.radii_cm;
-  const bool ball = gear.shape == GearLook::Shape::kBall;
-  if (!(r.x > 0 && (r.y > 0 || !(ball || ring)) && (r.z > 0 || !ball)))
+  int used = ring ? 2 : 1;
+  if (gear.shape == GearLook::Shape::kBall) used = 3;
+  const float* const radii = &gear.radii_cm.x;
+  if (std::any_of(radii, radii + used, [](float radius_cm) { return radius_cm <= 0; }))
     s.Fault("radii", "must be greater than 0");
   gear.thickness_cm = RealOr(s, "thickness", gear.thickness_cm);
   if (!(gear.thickness_cm > 0)) s.Fault("thickness", "must be greater than 0");

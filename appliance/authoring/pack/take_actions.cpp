@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +11,7 @@
 #include "appliance/authoring/takes/edit.h"
 #include "appliance/authoring/takes/take_file.h"
 #include "appliance/programs/stage/logged_show.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/number.h"
 
@@ -29,8 +29,7 @@ Result<float> NumberOf(const std::string& word, float least, float most) {
 
 Result<std::filesystem::path> ShowFolder(const Arguments& arguments) {
   std::filesystem::path folder = arguments.words[kFolder];
-  std::error_code error;
-  if (!std::filesystem::exists(folder / "show.toml", error))
+  if (!IsThere(folder / "show.toml"))
     return FailInput(folder.string() + ": it is no folder of a show: it has no show.toml");
   return folder;
 }
@@ -42,8 +41,7 @@ Result<void> CheckName(const std::filesystem::path& folder, const Arguments& arg
     return FailInput(
         fmt::format("\"{}\": a take's name is of letters, digits, spaces, - and _, and is not \"{}\"", name,
                     kNoTakeName));
-  std::error_code error;
-  if (!arguments.Has("--replace") && std::filesystem::exists(FileOfTake(folder, name), error))
+  if (!arguments.Has("--replace") && IsThere(FileOfTake(folder, name)))
     return FailInput(
         fmt::format("{}: it is there; --replace takes its place", FileOfTake(folder, name).string()));
   return {};
@@ -207,11 +205,9 @@ Said List(const Arguments& arguments) {
   const auto folder = ShowFolder(arguments);
   if (!folder) return tl::unexpected(folder.error());
   std::vector<std::string> lines;
-  std::error_code error;
-  for (auto it = std::filesystem::directory_iterator(*folder / "takes", error);
-       !error && it != std::filesystem::directory_iterator(); it.increment(error)) {
-    if (it->path().extension() != ".toml") continue;
-    const auto take = LoadTake(*folder, it->path().stem().string());
+  for (const auto& path : ListFolder(*folder / "takes").value_or(std::vector<std::filesystem::path>{})) {
+    if (path.extension() != ".toml") continue;
+    const auto take = LoadTake(*folder, path.stem().string());
     lines.push_back(take ? fmt::format("{}: {}{}{}", take->name, Described(*take),
                                        take->notes.empty() ? "" : "; ", take->notes)
                          : take.error().message());

@@ -168,7 +168,6 @@ std::string ReadNumber(Script& script, toml::Section& section) {
   return number;
 }
 
-// Faces, expressions and styles fade in 1 s where the cue gives no time; light and presence are cut.
 // True or nothing: no cue unlocks.
 bool IsLocked(toml::Section& section) {
   const toml::Value* lock = section.Find("lock");
@@ -178,6 +177,7 @@ bool IsLocked(toml::Section& section) {
   return true;
 }
 
+// Faces, expressions and styles fade in 1 s where the cue gives no time; light and presence are cut.
 show::Cue ReadCue(Script& script, toml::Section section) {
   section.AllowOnly({"number", "name", "act", "notes", "pre_wait_s", "scene", "face", "expression", "style",
                      "light", "present", "motion", "take", "release", "life", "gaze", "lock", "continue",

@@ -32,10 +32,7 @@ std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std
 
 // The number is given even where it is a fault. `otherwise` is judged as well, and must lie within the bounds.
 float Between(toml::Section& section, std::string_view key, float otherwise, float most, const char* unit) {
-  const auto value = static_cast<float>(section.NumberOr(key, otherwise));
-  if (!(value >= 0 && value <= most))
-    section.Fault(key, fmt::format("is {}{}, not within 0 to {}", value, unit, most));
-  return value;
+  return section.FloatOr(key, otherwise, 0, most, unit);
 }
 
 std::uint16_t CueVerbNamed(toml::Section& section, std::string_view key, const std::string& name) {

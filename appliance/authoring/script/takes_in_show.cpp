@@ -3,12 +3,14 @@
 #include <filesystem>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "appliance/authoring/script/show_parts.h"
 #include "appliance/authoring/script/wave_file.h"
 #include "appliance/authoring/takes/curve_names.h"
 #include "appliance/authoring/takes/played.h"
 #include "appliance/authoring/takes/take_file.h"
+#include "drivers/base/folder.h"
 
 namespace kaori::authoring {
 namespace {
@@ -19,15 +21,15 @@ constexpr float kSoundEdge_s = 0.005F;
 // The files of takes, by their names; none where there is no such folder.
 std::vector<std::filesystem::path> FilesOfTakes(Script& script) {
   const std::filesystem::path folder = script.folder / "takes";
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
-  if (!std::filesystem::exists(folder, error)) return files;
-  for (auto it = std::filesystem::directory_iterator(folder, error);
-       !error && it != std::filesystem::directory_iterator(); it.increment(error))
-    if (it->path().extension() == ".toml") files.push_back(it->path());
-  if (error) script.faults_of_takes.push_back(fmt::format("{}: {}", folder.string(), error.message()));
-  std::ranges::sort(files);
-  return files;
+  if (!IsThere(folder)) return {};
+  auto files = ListFolder(folder);
+  if (!files) {
+    script.faults_of_takes.push_back(
+        fmt::format("{}: {}", folder.string(), std::make_error_code(files.error().cause).message()));
+    return {};
+  }
+  std::erase_if(*files, [](const std::filesystem::path& file) { return file.extension() != ".toml"; });
+  return std::move(*files);
 }
 
 // The part of a sound that goes with what is played of its take.

@@ -41,7 +41,7 @@ class CurveReader {
   }
 
  private:
-  // Seconds rise from 0 to kLongestMotion_s. NaN fails each comparison, and is a fault.
+  // Seconds rise from 0 to kLongestMotion_s.
   void ReadPair(const toml::Value& pair, float at_s, float written) {
     if (!(at_s >= 0 && at_s <= show::kLongestMotion_s))
       Fault(pair, fmt::format("second {} does not lie within 0 to {}", at_s, show::kLongestMotion_s));

@@ -33,13 +33,8 @@ constexpr Wanted kGainWanted{"gain", kLeastTakeGain, kMostTakeGain, ""};
 constexpr Wanted kEaseWanted{"ease_s", kShortestEase_s, kLongestEase_s, " s"};
 constexpr Wanted kBlend{"blend_s", kShortestBlend_s, kLongestBlend_s, " s"};
 
-// NaN lies within nothing.
 float NumberOf(toml::Section& file, const Wanted& wanted, float otherwise) {
-  const auto value = static_cast<float>(file.NumberOr(wanted.key, otherwise));
-  if (!(value >= wanted.least && value <= wanted.most))
-    file.Fault(wanted.key,
-               fmt::format("is {}{}, not within {} to {}", value, wanted.unit, wanted.least, wanted.most));
-  return value;
+  return file.FloatOr(wanted.key, otherwise, wanted.least, wanted.most, wanted.unit);
 }
 
 bool SwitchOf(toml::Section& file, std::string_view key) {

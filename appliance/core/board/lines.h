@@ -18,6 +18,7 @@ enum class Line : std::uint8_t {
   kPresence,  // Somebody stands before the box.
 };
 inline constexpr std::size_t kLineCount = 4;
+static_assert(kEveryLine == (1U << kLineCount) - 1);
 
 // Whether the line is active now; a line that is not wired is not. Callers look at the section's SourceState
 // too: a stale section has all lines released.

@@ -103,6 +103,9 @@ struct Pointer {
   std::array<std::uint32_t, 3> pushes{};  // How often each button went down since the board began.
 };
 
+// A bit for each line that lines.h names.
+inline constexpr std::uint32_t kEveryLine = 0xF;
+
 // GPIO lines, numbered as in lines.h.
 //   writer   kaori-input, at each edge of a line, once it no longer bounces
 //   readers  kaori-stage at each frame; kaori-lips every 25 ms; kaori-input itself, for the tally lamp
@@ -111,7 +114,7 @@ struct Lines {
   static constexpr const char* kName = "lines";
   std::uint32_t active = 0;                // Bit n: line n is active.
   std::array<std::uint32_t, 16> pushes{};  // How often each became active since the board began.
-  std::uint32_t wired = 0xF;               // Bit n: line n is wired on this box.
+  std::uint32_t wired = kEveryLine;        // Bit n: line n is wired on this box.
 };
 
 // The operator's painted lips before the camera. Sizes are of the paint's outline, as fractions of the

@@ -41,7 +41,7 @@ class MapReader {
       map_.level = *level;
       show::Turns(map_.control) ? ReadTurn() : ReadRange();
     }
-    map_.dead = Number("dead", 0, 0, show::kMostDead);
+    map_.dead = section_.FloatOr("dead", 0, 0, show::kMostDead);
     ReadCurve();
     if (section_.Has("takeover")) ReadTakeover();
     return std::move(map_);
@@ -97,16 +97,9 @@ class MapReader {
     const show::LevelInfo& level = InfoOf(map_.level);
     if (section_.Has("range")) section_.Fault("range", "is for controls with ends; a dial has per_turn");
     const float whole = (level.high - level.low) / level.unit;
-    const float turn = Number("per_turn", whole, -100 * whole, 100 * whole);
+    const float turn = section_.FloatOr("per_turn", whole, -100 * whole, 100 * whole);
     if (turn == 0) section_.Fault("per_turn", "is 0: the dial would do nothing");
     map_.to = turn * level.unit;
-  }
-
-  float Number(std::string_view key, float otherwise, float low, float high) {
-    const auto value = static_cast<float>(section_.NumberOr(key, otherwise));
-    if (!(value >= low && value <= high))
-      section_.Fault(key, fmt::format("is {}, not within {} to {}", value, low, high));
-    return value;
   }
 
   // A number is an exponent, a list holds points. A point that is no pair ends the list,
@@ -115,7 +108,7 @@ class MapReader {
     const toml::Value* curve = section_.Find("curve");
     if (curve == nullptr) return;
     if (curve->kind == toml::Value::Kind::kNumber) {
-      map_.exponent = Number("curve", 1, show::kFlattestCurve, show::kSteepestCurve);
+      map_.exponent = section_.FloatOr("curve", 1, show::kFlattestCurve, show::kSteepestCurve);
       return;
     }
     if (curve->kind != toml::Value::Kind::kList)

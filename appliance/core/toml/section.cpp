@@ -97,6 +97,13 @@ int Section::WholeOr(std::string_view key, int otherwise, int low, int high) {
   return low;
 }
 
+float Section::FloatOr(std::string_view key, float otherwise, float low, float high, std::string_view unit) {
+  const auto value = static_cast<float>(NumberOr(key, otherwise));
+  if (!(value >= low && value <= high))
+    Fault(key, fmt::format("is {}{}, not within {} to {}", value, unit, low, high));
+  return value;
+}
+
 std::string Section::Text(std::string_view key) {
   const Value* value = Need(key, Value::Kind::kText, "a text in quotes");
   return value != nullptr ? value->text : std::string();

@@ -37,8 +37,7 @@ Result<bool> Save(const Partition& partition) {
   const auto status = partition.run({kCheck, "-f", "-y", partition.device});
   if (!status) return tl::unexpected(status.error());
   if (*status >= 0 && *status <= kMostMended) return true;
-  const int left = *status & ~kMostMended;
-  if (left == kErrorsLeft || left == kNoFileSystem || left == (kErrorsLeft | kNoFileSystem)) return false;
+  if (*status > 0 && *status <= (kMostMended | kErrorsLeft | kNoFileSystem)) return false;
   return FailedWith(*status, partition, kCheck);
 }
 

@@ -41,7 +41,8 @@ struct InputSources {
   std::vector<ports::HidBus*> buses;  // Borrowed: the buses outlive the service.
   ports::GpioOpener lines;            // Empty where the box has no GPIO lines.
   std::vector<SurfaceMap> maps{};     // Of surfaces that people own.
-  std::uint32_t wired_lines = 0xF;    // Bit n: line n is wired; for those who ask whether each of them works.
+  std::uint32_t wired_lines =
+      board::kEveryLine;  // Bit n: line n is wired; for those who ask whether each of them works.
 };
 
 // How many surfaces with a map may play beside the dial box.

@@ -23,7 +23,7 @@ class LineInputs {
   // `wired` is as Lines has it.
   // `open` may be called any number of times, from Step alone.
   LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
-             ports::GpioOpener open, std::uint32_t wired = 0xF);
+             ports::GpioOpener open, std::uint32_t wired = board::kEveryLine);
 
   // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip needs.
   void Step(Time now);

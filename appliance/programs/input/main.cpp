@@ -187,7 +187,7 @@ kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
 // All of them where no chip is asked for: the simulator has every line. A text that is wrong is told of where the lines are opened.
 std::uint32_t WiredLines(const Settings& settings) {
   const auto roles = kaori::input::ParseLineRoles(settings.lines);
-  if (settings.chip.empty() || !roles) return 0xF;
+  if (settings.chip.empty() || !roles) return kaori::board::kEveryLine;
   std::uint32_t wired = 0;
   for (std::size_t n = 0; n < roles->inputs.size(); ++n)
     if (roles->inputs[n]) wired |= 1U << n;

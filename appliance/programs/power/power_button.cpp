@@ -1,7 +1,5 @@
 #include "appliance/programs/power/power_button.h"
 
-#include "drivers/base/folder.h"
-
 #include <fcntl.h>
 #include <linux/input.h>
 #include <sys/ioctl.h>
@@ -11,7 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <string>
-#include <system_error>
+#include "drivers/base/folder.h"
 
 namespace kaori::power {
 namespace {
