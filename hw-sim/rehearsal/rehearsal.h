@@ -2,6 +2,8 @@
 // the same board and the same pictures every time. For films, golden pictures and tests.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -28,7 +30,13 @@ struct RehearsalOptions {
   double hz = 30;                     // Of the screen.
   double camera_hz = 30;              // Of the lip camera.
   voice::DelaySetting sound_delay{};  // None: as measured.
+  int camera_width_px = 640;          // Of its pictures; even sides.
+  int camera_height_px = 480;
+  Duration tick = std::chrono::milliseconds(1);  // Reports leave no more often.
 };
+
+// What may end and start again while the others play on.
+enum class Program : std::uint8_t { kInput, kLips, kStage };
 
 // The programs of the box run in this one thread, step by step, in place of processes that wait in
 // loops: what would be a race on a box has one order here. One thread.
@@ -48,12 +56,28 @@ class Rehearsal {
   // when no picture came within a simulated second.
   Result<Shown> NextPicture(const Input& input = {});
 
+  // Moves time on by one tick: operators, devices, programs. What is gone is looked for as often as the programs' own loops do:
+  // a screen four times a second, the board's file as often.
+  void Step(const Input& input);
+
+  // Ends a program: what it had of the board and of the devices is free. One that does not run stays so. May be called by an
+  // Input.
+  void End(Program program);
+  // Starts it again as its main does; it goes on from what the board holds. One that runs stays as it is. Errors: as Open.
+  Result<void> Start(Program program);
+  // The whole machine does nothing for so long: what falls due meanwhile is late.
+  void StandStill(Duration length) { clock_.Advance(length); }
+
+  // Called after each frame that the screen has accepted, of this stage and of those that start after it.
+  void CallAfterFrames(stage::Stage::AfterFrame after);
+
   // Lets operators make expressions. The editor was opened on the studio's show. To
   // be called before the first picture.
   void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->SetEditor(std::move(editor)); }
 
-  // Notes each frame from the next one on; the recorder outlives the rehearsal, or null is set before.
-  void SetLog(showlog::Recorder* log) { stage_->SetLog(log); }
+  // Notes each frame from the next one on, over restarts of the stage; the recorder outlives the rehearsal, or null is set
+  // before.
+  void SetLog(showlog::Recorder* log);
 
   // The test's side of every device.
   Rig& rig() { return *rig_; }
@@ -64,18 +88,29 @@ class Rehearsal {
   Time began() const { return began_; }  // When every device had its slot and the first picture was shown.
 
  private:
-  Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus)
-      : board_(std::move(board)), bus_(std::move(bus)) {}
-  // Each opens its part of Open. Errors: as Open.
-  Result<void> OpenParts(const RehearsalOptions& options, stage::Studio& studio);
+  Rehearsal(RehearsalOptions options, stage::Studio& studio, board::Board board,
+            std::unique_ptr<ports::HidBus> bus)
+      : options_(std::move(options)), studio_(studio), board_(std::move(board)), bus_(std::move(bus)) {}
+  // Plugs the devices in and starts all programs. Errors: as Open.
+  Result<void> OpenParts();
+  // Each starts one. Errors: as Open.
+  Result<void> StartInput();
+  Result<void> StartLips();
+  Result<void> StartStage();
   // Connects to the panel and has it answer. Errors: those of LocalLines.
   Result<std::unique_ptr<ports::GpioLines>> OpenLines();
   // The microphone and the loudspeaker; the sounds are those of the show's motions. Errors: as Open.
-  Result<void> OpenVoice(const RehearsalOptions& options, const show::Show& show);
+  Result<void> OpenVoice();
   // Steps until every device has its slot and a picture is shown.
   Result<void> Settle();
-  void Tick(const Input& input);  // One simulated millisecond.
+  // The stage with its screen, or unseen while there is none (stage::ScreenSession).
+  void StepStage();
+  void LookForScreen();
+  // As board::Watch.
+  void WatchBoard();
 
+  RehearsalOptions options_;
+  stage::Studio& studio_;
   // Before all that borrows it. Members end in reverse order: the stage first, the devices last.
   ManualClock clock_;
   board::Board board_;
@@ -87,6 +122,10 @@ class Rehearsal {
   std::unique_ptr<stage::Stage> stage_;
   // The folder of the local link.
   std::string links_;
+  showlog::Recorder* log_ = nullptr;
+  stage::Stage::AfterFrame after_frame_;
+  // When each is due again.
+  Time screen_look_{}, unseen_step_{}, board_look_{};
   Time began_{};
 };
 

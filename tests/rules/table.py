@@ -52,6 +52,7 @@ MAY_INCLUDE = (
                                           "appliance/programs/status/", "drivers/web/")),
     ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.
     ("hw-sim/rehearsal/", EVERYTHING),
+    ("hw-sim/evening/", EVERYTHING),
     ("hw-sim/devices/", _PORTS + ("firmware/surface/",)),
     ("hw-sim/links/", _PORTS + ("hw-sim/devices/",)),
     ("hw-sim/scenario/", _PORTS + ("hw-sim/devices/", "hw-sim/links/")),

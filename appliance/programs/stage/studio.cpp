@@ -25,6 +25,8 @@ Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepa
 // Drawing always goes to the canvas, which then is copied out: into the screen's memory, or by one more pass
 // into its window. So the picture of the last face can be read from it whatever the screen is.
 Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& picture) {
+  drew_ = asked_++ % one_of_ == 0;
+  if (!drew_) return {};
   if (canvas_.width_px() != picture.width_px || canvas_.height_px() != picture.height_px) {
     auto canvas = gl::Canvas::Make({.width_px = picture.width_px, .height_px = picture.height_px});
     if (!canvas) return tl::unexpected(canvas.error());

@@ -56,6 +56,12 @@ class Studio {
   static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared,
                                               std::unique_ptr<gl::Context> context);
 
+  // For a simulator that plays hours in minutes: of so many pictures one is drawn, the first one of them, and the others keep
+  // what they hold. 1 or more.
+  void DrawOneOf(int pictures) { one_of_ = static_cast<std::uint64_t>(pictures); }
+  // Whether the last Draw drew.
+  bool drew() const { return drew_; }
+
   // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size
   // changes. Blocks until the processor has its pixels, or the graphics card its commands. Errors: those of
   // gl::Canvas::Make, gl::Window and ScreenPass::Open.
@@ -101,6 +107,8 @@ class Studio {
   std::optional<gl::Target> small_;
   // Some of the drawing's shaders were never used.
   bool unprepared_ = true;
+  std::uint64_t one_of_ = 1, asked_ = 0;
+  bool drew_ = false;
 };
 
 }  // namespace kaori::stage

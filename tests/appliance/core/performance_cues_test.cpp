@@ -34,6 +34,16 @@ TEST_F(CuesTest, AGoWithinTheGuardIsRefusedAndCounted) {
   EXPECT_EQ(run().standby, 2);
 }
 
+// A stage that was away, or a machine that hung: the guard is of people's time.
+TEST_F(CuesTest, AGoThatWasCalledLongAfterTheLastIsNoSlipThoughNoFrameLiesBetween) {
+  Strike(kGo);
+  Step(30ms);
+  Strike(kGo);
+  Step(700ms);
+  EXPECT_EQ(run().standby, 2);
+  EXPECT_EQ(run().refused, 0U);
+}
+
 TEST_F(CuesTest, FootSwitchAndKeyShareOneGuard) {
   Strike(kGo);
   Step();

@@ -1,0 +1,66 @@
+// What is looked for on the board while an evening plays: "cue 14", "camera stale", "level fade 1.1". The words of a running order.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "appliance/core/board/board.h"
+#include "appliance/core/show/show.h"
+#include "hw-sim/devices/operator_action.h"
+#include "hw-sim/scenario/tokenizer.h"
+
+namespace kaori::sim {
+
+// How the show stands at one moment, where the board alone does not tell.
+struct ShowSeen {
+  std::uint64_t pictures = 0;   // That the screen has accepted, over all stages of the evening.
+  float blackout = 0;           // Of the newest picture: 0 lit .. 1 black.
+  std::uint64_t log_bytes = 0;  // Of the show log on the disk.
+};
+
+struct Condition {
+  enum class Kind : std::uint8_t {
+    kCue,       // This cue was played last.
+    kStandby,   // This cue stands by.
+    kRefused,   // A GO was refused,
+    kUnknown,   // a call named what the show has not,
+    kLost,      // calls came faster than the board keeps them,
+    kPicture,   // a picture was presented,
+    kNewBoard,  // another board took the place of the one before,
+    kLogGrows,  // and the show log grew, all since the condition was begun.
+    kPaused,    // The cue list holds,
+    kRunning,   // or does not.
+    kPanic,     // The panic scene is on.
+    kWaiting,   // The pending cue waits for a person.
+    kDark,      // The newest picture is all black,
+    kLit,       // or as it is lit.
+    kLive,      // The device on this port is there,
+    kStale,     // or gone or silent.
+    kMouth,     // Lips or voice have the mouth,
+    kOwner,     // and this one the level.
+    kLevel,     // The level has this value, to within 2 % of its range.
+  } kind = Kind::kCue;
+  int index = 0;      // The cue or the level.
+  int owner = 0;      // A board::LevelOwner.
+  double value = 0;   // Of the level, in its own unit.
+  DevicePort port{};  // Of kLive and kStale.
+  std::string words;  // As it was written.
+};
+
+// Reads one; names of cues and levels are those of the show. A problem is added to the tokenizer's where there is none.
+Condition ReadCondition(Tokenizer& tokens, const show::Show& show);
+
+// Counters as they stood when a condition was begun; what is told of as "since" is compared with them.
+struct Since {
+  std::uint32_t refused = 0, unknown = 0, lost = 0, moves = 0;
+  std::uint64_t pictures = 0, log_bytes = 0;
+};
+Since SinceNow(const board::Board& board, const ShowSeen& seen);
+
+// Whether it is so now. Never waits.
+bool Holds(const Condition& condition, const Since& since, const board::Board& board, const ShowSeen& seen);
+
+// What is so instead, for people: "cue 13 is on". Empty where the condition says all there is.
+std::string Instead(const Condition& condition, const board::Board& board, const show::Show& show);
+
+}  // namespace kaori::sim

@@ -1,0 +1,108 @@
+#include "hw-sim/evening/verdict.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kaori::sim {
+namespace {
+
+constexpr double kCachesFill_h = 10.0 / 60;
+constexpr std::size_t kLeastSamples = 10;
+constexpr double kMostSlope_kb_per_h = 64;
+constexpr double kMostLog_kb_per_min = 300;
+constexpr double kBytesPerKb = 1000;
+
+double LogPerMinute_kb(const Verdict& verdict) {
+  return verdict.minutes > 0 ? static_cast<double>(verdict.log_bytes) / kBytesPerKb / verdict.minutes : 0;
+}
+
+}  // namespace
+
+void Add(const Verdict& evening, Verdict& to) {
+  for (const MemoryAt& at : evening.memory) to.memory.push_back({at.hours + to.minutes / 60, at.resident_kb});
+  if (to.evenings == 0) to.open_files_start = evening.open_files_start;
+  to.open_files_end = evening.open_files_end;
+  to.evenings += evening.evenings;
+  to.minutes += evening.minutes;
+  to.seconds += evening.seconds;
+  to.stopped = to.stopped || evening.stopped;
+  for (const auto count :
+       {&Verdict::cues, &Verdict::missed_cues, &Verdict::go_sent, &Verdict::go_played, &Verdict::go_refused,
+        &Verdict::faults, &Verdict::unanswered_faults, &Verdict::frames, &Verdict::replay_bits_differ,
+        &Verdict::pictures, &Verdict::wrong_pictures, &Verdict::log_bytes, &Verdict::log_parts_lost,
+        &Verdict::log_parts_allowed, &Verdict::frame_path_allocations})
+    to.*count += evening.*count;
+  to.wrong.insert(to.wrong.end(), evening.wrong.begin(), evening.wrong.end());
+}
+
+std::vector<std::string> WhatIsWrong(const Verdict& verdict) {
+  std::vector<std::string> wrong = verdict.wrong;
+  const auto bound = [&wrong](bool good, std::string sentence) {
+    if (!good) wrong.push_back(std::move(sentence));
+  };
+  bound(verdict.missed_cues == 0, fmt::format("{} cues were missed", verdict.missed_cues));
+  bound(verdict.unanswered_faults == 0,
+        fmt::format("{} faults were not answered", verdict.unanswered_faults));
+  bound(verdict.replay_bits_differ == 0,
+        fmt::format("{} frames show something else when they play again", verdict.replay_bits_differ));
+  bound(verdict.wrong_pictures == 0, fmt::format("{} pictures are wrong", verdict.wrong_pictures));
+  bound(verdict.frame_path_allocations == 0,
+        fmt::format("frames allocated memory {} times", verdict.frame_path_allocations));
+  bound(verdict.log_parts_lost <= verdict.log_parts_allowed,
+        fmt::format("{} parts of the log are lost, and {} may be", verdict.log_parts_lost,
+                    verdict.log_parts_allowed));
+  bound(verdict.open_files_end == verdict.open_files_start,
+        fmt::format("{} files are open at the end, and {} were at the beginning", verdict.open_files_end,
+                    verdict.open_files_start));
+  bound(LogPerMinute_kb(verdict) <= kMostLog_kb_per_min,
+        fmt::format("the log takes {:.0f} KB a minute", LogPerMinute_kb(verdict)));
+  bound(MemorySlope_kb_per_h(verdict) <= kMostSlope_kb_per_h,
+        fmt::format("memory grows by {:.0f} KB an hour", MemorySlope_kb_per_h(verdict)));
+  return wrong;
+}
+
+double MemorySlope_kb_per_h(const Verdict& verdict) {
+  const double from_h = verdict.evenings > 1 ? verdict.minutes / 60 / verdict.evenings : kCachesFill_h;
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const MemoryAt& at : verdict.memory) {
+    if (at.hours < from_h) continue;
+    n += 1;
+    x += at.hours;
+    y += at.resident_kb;
+    xx += at.hours * at.hours;
+    xy += at.hours * at.resident_kb;
+  }
+  const double spread = n * xx - x * x;
+  return n < kLeastSamples || spread <= 0 ? 0 : (n * xy - x * y) / spread;
+}
+
+json::Object ToJson(const Verdict& verdict) {
+  return {{"good", IsGood(verdict)},
+          {"evenings", verdict.evenings},
+          {"stopped", verdict.stopped},
+          {"minutes", verdict.minutes},
+          {"cues", verdict.cues},
+          {"missed_cues", verdict.missed_cues},
+          {"go_sent", verdict.go_sent},
+          {"go_played", verdict.go_played},
+          {"go_refused", verdict.go_refused},
+          {"faults", verdict.faults},
+          {"unanswered_faults", verdict.unanswered_faults},
+          {"frames", verdict.frames},
+          {"replay_bits_differ", verdict.replay_bits_differ},
+          {"pictures", verdict.pictures},
+          {"wrong_pictures", verdict.wrong_pictures},
+          {"frame_path_allocations", verdict.frame_path_allocations},
+          {"rss_slope_kb_per_h", std::round(MemorySlope_kb_per_h(verdict) * 10) / 10},
+          {"open_files_start", verdict.open_files_start},
+          {"open_files_end", verdict.open_files_end},
+          {"log_kb_per_min", std::round(LogPerMinute_kb(verdict) * 10) / 10},
+          {"log_parts_lost", verdict.log_parts_lost},
+          {"log_parts_allowed", verdict.log_parts_allowed},
+          {"seconds", std::round(verdict.seconds * 10) / 10},
+          {"wrong", json::ListOf(WhatIsWrong(verdict))}};
+}
+
+}  // namespace kaori::sim
