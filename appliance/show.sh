@@ -3,6 +3,8 @@
 
 readonly DEFAULT_SHOW=appliance/shows/kaori
 readonly SHOWS=out/shows  # Packs of folders that are played.
+readonly KEYS=out/keys    # The company's key, made here unless it is kept elsewhere.
+readonly COMPANY=$KEYS/company.key
 
 show() {
   local verb=${1:-}
@@ -12,7 +14,10 @@ show() {
     pack) pack_show "$@" ;;
     play) play_show "$@" ;;
     take) take_of_show "$@" ;;
-    '') fail "show wants new, pack, play or take; see ./box help" ;;
+    key) make_key "$@" ;;
+    sign) sign_show "$@" ;;
+    push) push_show "$@" ;;
+    '') fail "show wants new, play, take, key, pack, sign or push; see ./box help" ;;
     *) fail "show knows no $verb; see ./box help" ;;
   esac
 }
@@ -59,6 +64,77 @@ take_of_show() {
   build release kaori-atelier
   local tool=$PWD/$BIN/kaori-atelier
   cd "$CALLED_FROM" && exec "$tool" take "$@"
+}
+
+# The company's key, which signs its shows: made once. The public half goes to the boxes.
+make_key() {
+  [[ $# -le 1 && ${1:-} != -* ]] || fail "show key takes the name of one FILE; see ./box help"
+  local key=$COMPANY
+  [ $# -eq 0 ] || key=$(from_caller "$1")
+  [ ! -e "$key" ] || fail "$key exists already; a key is never written over, since boxes trust it"
+  mkdir -p "$(dirname "$key")" || fail "the key could not be made; the reason stands above"
+  need "${BUILD_PACKAGES[@]}"
+  build release kaori-atelier
+  $BIN/kaori-atelier keygen "$key" || fail "the key could not be made; the reason stands above"
+}
+
+# Takes --key FILE out of the words: sets `key` and `words`: read_key WORD...
+read_key() {
+  key=$COMPANY words=()
+  while [ $# -gt 0 ]; do
+    case $1 in
+      --key)
+        [ $# -gt 1 ] || fail "--key wants a FILE; see ./box help"
+        key=$(from_caller "$2")
+        shift
+        ;;
+      -*) fail "show knows no $1; see ./box help" ;;
+      *) words+=("$(from_caller "$1")") ;;
+    esac
+    shift
+  done
+}
+
+need_key() {
+  [ -f "$1" ] || fail "there is no key $1; ./box show key makes one, once"
+}
+
+# A pack that is there already.
+sign_show() {
+  local key
+  local -a words
+  read_key "$@"
+  [ ${#words[@]} -eq 1 ] || fail "show sign takes one pack's FILE; see ./box help"
+  is_show "${words[0]}"
+  [ ! -d "${words[0]}" ] || fail "${words[0]} is a folder; ./box show pack FOLDER --sign KEYFILE packs and signs it"
+  need_key "$key"
+  need "${BUILD_PACKAGES[@]}"
+  build release kaori-atelier
+  $BIN/kaori-atelier sign "${words[0]}" "$key" || fail "the show could not be signed; the reason stands above"
+}
+
+# Onto a stick, with the public key beside it: checked, signed, tried as a box tries it, and read back.
+push_show() {
+  local key name pack copy
+  local -a words
+  read_key "$@"
+  [ ${#words[@]} -eq 2 ] || fail "show push takes a SHOW and the FOLDER of a stick; see ./box help"
+  is_show "${words[0]}"
+  [ -d "${words[1]}" ] || fail "there is no folder ${words[1]}; plug the stick in and name where it is mounted"
+  need_key "$key"
+  need "${BUILD_PACKAGES[@]}"
+  build release kaori-atelier kaori-stage
+  choose_pack "${words[0]}"
+  name=$(basename "${words[0]%/}" .kaori)
+  mkdir -p $SHOWS
+  copy=$SHOWS/$name.signed.kaori
+  cp "$pack" "$copy" && $BIN/kaori-atelier sign "$copy" "$key" || fail "the show could not be signed; the reason stands above"
+  $BIN/kaori-stage --rehearse "$copy" || fail "a box would not play it; the reason stands above"
+  cp "$copy" "${words[1]}/$name.kaori" && cp "$key.pub" "${words[1]}/$(basename "$key" .key).pub" && sync -f "${words[1]}" ||
+    fail "the stick could not be written; the reason stands above"
+  cmp -s "$copy" "${words[1]}/$name.kaori" || fail "${words[1]} does not hold what was written; take another stick"
+  rm "$copy"
+  say "$name is on the stick. At the box: key on, stick in, and GO takes it."
 }
 
 play_show() {

@@ -19,9 +19,10 @@ install(FILES ${PROJECT_BINARY_DIR}/shows/kaori.kaori DESTINATION ${CMAKE_INSTAL
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/appliance/shows/kaori/surfaces DESTINATION ${CMAKE_INSTALL_DATADIR}/kaori)
 install(DIRECTORY ${overlay}/udev/rules.d DESTINATION ${KAORI_UDEV_DIR})
 file(GLOB units CONFIGURE_DEPENDS ${overlay}/systemd/system/kaori*.service ${overlay}/systemd/system/kaori*.socket
+     ${overlay}/systemd/system/kaori*.path
      ${overlay}/systemd/system/kaori.target)
 install(FILES ${units} DESTINATION ${KAORI_UNIT_DIR})
-install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR}
+install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori-shows.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR}
         PATTERN mend-data.service EXCLUDE)
 
 if(KAORI_BOX_SYSTEM)

@@ -135,6 +135,8 @@ std::vector<Check> DiskChecks();
 std::vector<Check> PowerChecks();
 // A data partition that is ruined is mended, and the journal of an evening is kept.
 std::vector<Check> DataChecks();
+// A company's own show, which a stick brings.
+std::vector<Check> StickChecks();
 // The screens that a box may find, and what is on its screen from power to the face.
 std::vector<Check> DisplayChecks();
 // Screens are plugged in and unplugged, and one shows the box's status.

@@ -37,6 +37,7 @@ constexpr std::string_view kHelp =
   --seed 1              of their order
   --controls            each check is followed by its negative control
   --usual-image FILE    the program that makes an image which starts in the usual way (tests/hil/usual_image)
+  --sticks FOLDER       images of sticks that are plugged in (out/sticks)
   --size 480x270        of the screen
   --memory 512          of the machine, in MiB
 
@@ -54,7 +55,7 @@ log and its monitor are FOLDER/console.log and FOLDER/qmp
 struct Settings {
   std::string image = "out/image", bench_disk, bench_kernel, report = "out/bench", figures, play, only;
   std::string scenes = "0", replugs = "200", seed = "1", size = "480x270", memory = "512",
-              usual_image = "tests/hil/usual_image";
+              usual_image = "tests/hil/usual_image", sticks = "out/sticks";
   std::string shot, command, disk;
   bool chosen = false, list = false, controls = false, boot = false, trace = false;
   bool keep_disk = false;
@@ -116,6 +117,7 @@ kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& f
           .bench_disk = settings.bench_disk,
           .bench_kernel = settings.bench_kernel,
           .usual_image = settings.usual_image,
+          .sticks = std::filesystem::absolute(settings.sticks),
           .folder = folder,
           .width_px = size.width_px,
           .height_px = size.height_px,
@@ -198,7 +200,9 @@ int main(int argc, char** argv) {
       .Text("--replugs", settings.replugs);
   options.Text("--seed", settings.seed).Text("--size", settings.size);
   options.Text("--scenes", settings.scenes).Switch("--controls", settings.controls);
-  options.Text("--usual-image", settings.usual_image).Text("--memory", settings.memory);
+  options.Text("--usual-image", settings.usual_image)
+      .Text("--memory", settings.memory)
+      .Text("--sticks", settings.sticks);
   options.Switch("--boot", settings.boot).Switch("--trace", settings.trace).Text("--shot", settings.shot);
   options.Text("--command", settings.command).Text("--disk", settings.disk);
   options.Switch("--keep-disk", settings.keep_disk);

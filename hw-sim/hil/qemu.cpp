@@ -132,6 +132,21 @@ Result<void> QemuDriver::PlugUnauthorised(UnauthorisedDevice device) {
   return qmp_->Do("device_add", DeviceOf(device));
 }
 
+// An image keeps its name in QEMU after its stick was pulled: each stick gets the next one.
+// Read-only, so that two runs can share an image.
+Result<void> QemuDriver::PlugStick(const std::string& image) {
+  if (!qmp_) return Fail(std::errc::no_such_device, "plug in a stick");
+  const std::string name = fmt::format("stick{}", ++sticks_);
+  const json::Object file{{"driver", "file"}, {"filename", image}};
+  if (auto ok = qmp_->Do("blockdev-add",
+                         {{"driver", "raw"}, {"node-name", name}, {"read-only", true}, {"file", file}});
+      !ok)
+    return ok;
+  return qmp_->Do(
+      "device_add",
+      {{"driver", "usb-storage"}, {"drive", name}, {"id", "unauthorised"}, {"bus", "xhci.0"}, {"port", "8"}});
+}
+
 Result<void> QemuDriver::PullUnauthorised() {
   if (!qmp_) return Fail(std::errc::no_such_device, "unplug the unauthorised device");
   return qmp_->Do("device_del", {{"id", "unauthorised"}});

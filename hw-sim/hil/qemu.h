@@ -36,6 +36,7 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   Result<void> Shoot(int head, const std::string& file) override;
   Result<void> PlugScreen(int head, int width_px, int height_px) override;
   Result<void> PlugUnauthorised(UnauthorisedDevice device) override;
+  Result<void> PlugStick(const std::string& image) override;
   Result<void> PullUnauthorised() override;
   // A short press of the machine's power button. Errors: as Qmp::Do; no_such_device, it is off.
   Result<void> PressPower();
@@ -64,6 +65,7 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   std::optional<Process> process_;
   // Is there while the machine has power.
   std::optional<Qmp> qmp_;
+  int sticks_ = 0;                  // That were plugged in: each image has a name of its own in QEMU.
   std::vector<VncScreen> screens_;  // Those that can be plugged in and unplugged.
 };
 

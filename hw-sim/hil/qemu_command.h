@@ -17,6 +17,8 @@ struct QemuOptions {
   std::string bench_kernel{};  // Empty: there is none.
   // The program that makes an image which starts in the usual way: tests/hil/usual_image.
   std::string usual_image{};
+  // With images of sticks: make_sticks of tests/hil/bench.sh.
+  std::string sticks{};
   std::string folder;  // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
   // Of the screen, where the setup does not say otherwise.
   int width_px = 960;

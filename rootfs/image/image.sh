@@ -8,9 +8,9 @@ readonly BOOT_PACKAGES=(qemu-system-x86 python3)
 
 # shellcheck disable=SC2120  # ./box gives it its words.
 image() {
-  local out=out/image programs='' disk='' pack='' firmware='' value
+  local out=out/image programs='' disk='' pack='' firmware='' trust='' value
   while [ $# -gt 0 ]; do
-    [[ $1 =~ ^--(out|programs|disk|pack|firmware)$ ]] || fail "image knows no $1; see ./box help"
+    [[ $1 =~ ^--(out|programs|disk|pack|firmware|trust)$ ]] || fail "image knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
     [ "$1" = --disk ] || value=$(from_caller "$2")
@@ -18,11 +18,13 @@ image() {
     shift 2
   done
   [ -z "$pack" ] || is_show "$pack"
+  [ -n "$trust" ] || [ ! -f $COMPANY.pub ] || trust=$COMPANY.pub
+  [ -z "$trust" ] || [ -f "$trust" ] || fail "there is no key $trust; ./box show key makes one"
   need "${BUILD_PACKAGES[@]}" "${IMAGE_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
   [ -n "$programs" ] || build release programs kaori-bench
   [ -z "$pack" ] || choose_pack "$pack"
   rootfs/image/build --out "$out" --programs "${programs:-$BIN}" --kept out/image ${disk:+--disk "$disk"} \
-    ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ||
+    ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ${trust:+--trust "$trust"} ||
     fail "the image could not be built; the reason stands above"
 }
 

@@ -4,14 +4,15 @@
 # What looks at devices in the guest; the firmware; what a check runs on this machine.
 readonly MACHINE_PACKAGES=(e2fsprogs evtest v4l-utils gpiod alsa-utils usbutils ovmf)
 readonly WINDOW_PACKAGES=(xvfb qemu-system-gui)  # What draws for the guest.
-readonly LONG_PACKAGES=(cpio zstd xz-utils)        # What the long mode's checks call.
+readonly LONG_PACKAGES=(cpio zstd xz-utils dosfstools mtools)  # What the long mode's checks call.
 readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 readonly PLAIN_SHOW=out/plain.kaori
+readonly STICKS=out/sticks
 
 # Runs checks of kaori-bench on the image, with simulated devices plugged in: run_checks OPTION...
 run_checks() {
   tests/hil/bench_disk $BIN/kaori-hil-agent out/bench.disk $PLAIN_SHOW
-  $BIN/kaori-bench --image out/image --bench-disk out/bench.disk --report out/bench --figures out/boot.json --play "$PLAY" "$@" ||
+  $BIN/kaori-bench --image out/image --bench-disk out/bench.disk --report out/bench --figures out/boot.json --play "$PLAY" --sticks $STICKS "$@" ||
     { say "the report is out/bench/report.html"; return 1; }
 }
 
@@ -32,6 +33,48 @@ pack_plain_show() {
   sed -i -e '0,/^face = .*/s//face = "mask"/; 0,/^style = .*/s//style = "flat"/' \
     -e '0,/^backdrop = .*/s//backdrop = { kind = "gradient", top = "#5a6c8c", bottom = "#2c3448" }/' "$folder/show/show.toml"
   $BIN/kaori-atelier pack "$folder/show" $PLAIN_SHOW >"$LOGS/plain.log" 2>&1 || fail "the plain show could not be packed; see $LOGS/plain.log"
+  rm -r "$folder"
+}
+
+# Writes files onto an empty FAT32 of 64 MiB, which begins so many blocks of 512 bytes within the image: fill_stick BLOCKS IMAGE FILE...
+fill_stick() {
+  mkfs.vfat -F 32 -n STICK --offset "$1" "$2" 65536 >"$LOGS/sticks.log" && mcopy -i "$2@@$(($1 * 512))" "${@:3}" ::/ >>"$LOGS/sticks.log" 2>&1 ||
+    fail "a stick could not be made; see $LOGS/sticks.log"
+}
+
+# A small show of one scene, signed: pack_small_show FOLDER NAME
+pack_small_show() {
+  local show=$1/$2
+  mkdir -p "$show"/{faces,looks}
+  cp appliance/shows/kaori/expressions.toml "$show"
+  cp appliance/shows/kaori/faces/{cast,kaori}.toml "$show/faces"
+  cp appliance/shows/kaori/looks/kaori.toml "$show/looks"
+  sed -i 's/^faces = .*/faces = ["kaori"]/' "$show/faces/cast.toml"
+  printf '%s\n' "name = \"$2\"" '[[scene]]' 'name = "opening"' 'face = "kaori"' 'expression = "smile"' 'style = "flat"' \
+    'light = 1.0' 'backdrop = { kind = "gradient", top = "#8c6c5a", bottom = "#48342c" }' >"$show/show.toml"
+  $BIN/kaori-atelier pack "$show" "$show.kaori" --sign "$1/theatre" >"$LOGS/sticks.log" 2>&1 ||
+    fail "the show of a stick could not be packed; see $LOGS/sticks.log"
+}
+
+# Two sticks: a show of a theatre that the box does not know, with its key, in a partition as sticks are sold; and another
+# show with some bytes changed, on a stick without partitions.
+make_sticks() {
+  local folder
+  say "making sticks"
+  mkdir -p $STICKS
+  rm -f $STICKS/*.stick
+  folder=$(mktemp -d)
+  $BIN/kaori-atelier keygen "$folder/theatre" >"$LOGS/sticks.log" 2>&1 || fail "a key could not be made; see $LOGS/sticks.log"
+  pack_small_show "$folder" evening
+  pack_small_show "$folder" matinee
+  truncate -s 65M $STICKS/evening.stick
+  truncate -s 64M $STICKS/damaged.stick
+  # An entry of a partition table: FAT32 by its blocks (0c), from block 2048 on, 64 MiB.
+  printf '\0\0\0\0\x0c\0\0\0\0\x08\0\0\0\0\x02\0' | dd of=$STICKS/evening.stick bs=1 seek=446 conv=notrunc status=none
+  printf '\x55\xaa' | dd of=$STICKS/evening.stick bs=1 seek=510 conv=notrunc status=none
+  fill_stick 2048 $STICKS/evening.stick "$folder/evening.kaori" "$folder/theatre.pub"
+  printf 'damaged' | dd of="$folder/matinee.kaori" bs=1 seek=$(($(stat -c %s "$folder/matinee.kaori") / 2)) conv=notrunc status=none
+  fill_stick 0 $STICKS/damaged.stick "$folder/matinee.kaori"
   rm -r "$folder"
 }
 
@@ -70,6 +113,7 @@ test_on_the_bench() {
   fi
   build_bench_kernel
   pack_plain_show
+  make_sticks
   run_all_checks
   [ ${#failed_checks[@]} -eq 0 ] || fail "failed: $(printf '%s; ' "${failed_checks[@]}")the reasons stand above"
 }

@@ -18,7 +18,7 @@ TOOLS = {
     **dict.fromkeys("awk basename cat chmod cksum comm cp cut date dd dirname find flock grep head id install kill ln ls mkdir mktemp "
                     "mv nice nproc paste printf realpath rm sed seq setsid sha256sum sleep sort stat tail tar tee timeout touch "
                     "tr truncate true uname uniq wc xargs bash sh dpkg-deb dpkg-query apt-get apt-cache env ldd sudo "
-                    "readlink unshare mount su perl gzip hostname cmp setpriv apt nohup du expr".split(), ESSENTIAL),
+                    "readlink unshare mount su sync perl gzip hostname cmp setpriv apt nohup du expr".split(), ESSENTIAL),
     "systemd-analyze": "systemd", "python3": "python3", "git": "git",
     "cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "make": "make", "gcc": "gcc", "g++": "g++", "ccache": "ccache",
     "clang-14": "clang-14", "clang++-14": "clang-14", "clang-tidy-14": "clang-tidy-14", "clang-format-14": "clang-format-14",

@@ -29,7 +29,7 @@ expect "--pack wants a value" demo --pack
 expect "there is no show log /nowhere" demo --evening /nowhere
 expect "--evening wants --without" demo --evening /etc/passwd
 expect "go with --evening" demo --at 19:43
-expect "show wants new, pack, play or take" show
+expect "show wants new, play, take, key, pack" show
 expect "show knows no dance" show dance
 expect "show new takes the name of one FOLDER" show new
 expect "exists already" show new /tmp
@@ -38,6 +38,16 @@ expect "show pack takes a FOLDER" show pack
 expect "is no folder of a show" show pack /nowhere
 expect "show pack knows no --loud" show pack --loud
 expect "--sign wants a KEYFILE" show pack /tmp --sign
+expect "show key takes the name of one FILE" show key a b
+expect "exists already; a key is never written over" show key /etc/passwd
+expect "show sign takes one pack" show sign
+expect "there is no show /nowhere" show sign /nowhere
+expect "there is no key /nowhere" show sign /etc/passwd --key /nowhere
+expect "is a folder" show sign /tmp
+expect "show push takes a SHOW and the FOLDER" show push /tmp
+expect "there is no folder /nowhere" show push /tmp /nowhere
+expect "there is no key /nowhere" show push /tmp /tmp --key /nowhere
+expect "there is no key /nowhere" image --trust /nowhere
 expect "show play takes a FOLDER" show play
 expect "show take wants record" show take
 expect "there is no show /nowhere" show play /nowhere

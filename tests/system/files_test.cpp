@@ -91,6 +91,7 @@ std::vector<FileOption> OptionsOfTheBox() {
        {"--board", "%/board", "--links", "%", "--own", "%", "--pack", "#", "--evening", "@", "--without",
         "lips"}},
       {"stage_pack", "kaori-stage", {"--board", "%/board", "--links", "%", "--pack", "@"}},
+      {"stage_rehearse", "kaori-stage", {"--rehearse", "@"}},
       {"stage_trust",
        "kaori-stage",
        {"--board", "%/board", "--links", "%", "--pack", "%/none", "--trust", "@"}},
@@ -213,30 +214,35 @@ INSTANTIATE_TEST_SUITE_P(Programs, NoFile,
                            return std::get<0>(offered.param).name + "_" + std::get<1>(offered.param).name;
                          });
 
-// Options of the help texts that name a file and need no row above. Files that are written, and not read;
-constexpr std::array kWritten{"--address-file",
-                              "kaori-power --notice",
-                              "kaori-rehearsal --film",
-                              "kaori-rehearsal --pictures",
-                              "kaori-rehearsal --write-log",
-                              "kaori-sim --record",
-                              "kaori-stage --log",
-                              "kaori-stage --still",
-                              "kaori-status --picture"};
-// what board_lost_test.cpp spoils while the programs run, folders of sockets, a device, what kaori-boot leaves in memory, and
-// what is read as kaori-stage --own.
-constexpr std::array kReadOtherwise{"--board",
-                                    "--links",
-                                    "kaori-stage --card",
-                                    "kaori-data --settings",
-                                    "kaori-stage --settings",
-                                    "kaori-rehearsal --own"};
+// Options of the help texts that name a file and need no row above, each with the reason.
+const std::map<std::string, std::string>& NotOffered() {
+  static const std::map<std::string, std::string> reasons{
+      {"--address-file", "it is written"},
+      {"--board", "board_lost_test.cpp spoils it while the programs run"},
+      {"--links", "sockets are looked for in it, and nothing is read"},
+      {"--shows", "a folder that one program alone writes; stage_chosen_show_test.cpp spoils what is in it"},
+      {"kaori-data --settings", "kaori-boot leaves it in memory, and no person does"},
+      {"kaori-input --box", "a faulty one is no error: input_roles_test.cpp"},
+      {"kaori-input --key", "it is written"},
+      {"kaori-input --last-good", "it is written, and read as --box"},
+      {"kaori-power --notice", "it is written"},
+      {"kaori-rehearsal --film", "it is written"},
+      {"kaori-rehearsal --own", "it is read as kaori-stage reads it"},
+      {"kaori-rehearsal --pictures", "it is written"},
+      {"kaori-rehearsal --write-log", "it is written"},
+      {"kaori-sim --record", "it is written"},
+      {"kaori-stage --card", "it is a device, and what is none is refused by the kernel"},
+      {"kaori-stage --chosen", "kaori-shows leaves it in memory, and no person does"},
+      {"kaori-stage --log", "it is written"},
+      {"kaori-stage --settings", "kaori-boot leaves it in memory, and no person does"},
+      {"kaori-stage --still", "it is written"},
+      {"kaori-status --picture", "it is written"},
+  };
+  return reasons;
+}
 
 bool NeedsNoRow(const std::string& program, const std::string& option) {
-  const auto is_it = [&](std::string_view name) {
-    return name == option || name == fmt::format("{} {}", program, option);
-  };
-  return std::ranges::any_of(kWritten, is_it) || std::ranges::any_of(kReadOtherwise, is_it);
+  return NotOffered().contains(option) || NotOffered().contains(fmt::format("{} {}", program, option));
 }
 
 // What the help of a program says of its options: "--name FILE" at the beginning of a line.

@@ -21,6 +21,8 @@ Verb LabelsVerb();
 Verb PackVerb();
 // What happened on an evening.
 Verb ReportVerb();
+// A signature on a pack that is there.
+Verb SignVerb();
 // Contact sheets.
 Verb SheetVerb();
 // A motion of what operators did.

@@ -54,23 +54,27 @@ bool AllZero(Bytes bytes) {
 // file that is none, and a file that ends early from one of another version.
 Result<void> CheckMark(Bytes bytes) {
   if (bytes.size() >= 8 && Begins(bytes.subspan(4), kContentMark))
-    return FailInput("is a show pack of version 1; this box plays version 2: pack it again");
-  if (!Begins(bytes, kMark)) return FailInput("is no show pack");
-  if (bytes.size() < kPackHeader_bytes) return FailInput("is no whole show pack: it ends in its header");
+    return FailInput("is a show pack of version 1; this box plays version 2: pack it again", kOlderPack);
+  if (!Begins(bytes, kMark)) return FailInput("is no show pack", kNoPack);
+  if (bytes.size() < kPackHeader_bytes)
+    return FailInput("is no whole show pack: it ends in its header", kCutOffPack);
   const std::uint64_t version = NumberAt(bytes.subspan(kVersionAt, 4));
   if (version == kPackVersion) return {};
   return FailInput("is a show pack of version " + std::to_string(version) + "; this box plays version " +
-                   std::to_string(kPackVersion));
+                       std::to_string(kPackVersion),
+                   version > kPackVersion ? kNewerPack : kOlderPack);
 }
 
 // Both lengths are bounded before they are added up, so that a forged one cannot overflow.
 Result<void> CheckLength(std::uint64_t content_bytes, std::uint64_t file_bytes) {
   if (file_bytes > kLargestPack_bytes || content_bytes > kLargestPack_bytes)
-    return FailInput("is larger than " + std::to_string(kLargestPack_bytes >> 20U) + " MB, and no show is");
+    return FailInput("is larger than " + std::to_string(kLargestPack_bytes >> 20U) + " MB, and no show is",
+                     std::errc::file_too_large);
   if (content_bytes + kPackHeader_bytes == file_bytes) return {};
   return FailInput("is no whole show pack: it should have " +
-                   std::to_string(content_bytes + kPackHeader_bytes) + " bytes and has " +
-                   std::to_string(file_bytes));
+                       std::to_string(content_bytes + kPackHeader_bytes) + " bytes and has " +
+                       std::to_string(file_bytes),
+                   kCutOffPack);
 }
 
 // A signature that is there must be good, asked for or not: a wrong one is damage. An unsigned header has

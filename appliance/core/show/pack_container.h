@@ -41,12 +41,24 @@ struct PackSeal {
   std::optional<PublicKey> signer;  // Its signature is good.
 };
 
+// The causes by which a program tells refused packs apart; people read the words.
+inline constexpr std::errc kNoPack = std::errc::executable_format_error;  // Another kind of file.
+inline constexpr std::errc kNewerPack =
+    std::errc::function_not_supported;  // Of a version that is newer than this program's,
+inline constexpr std::errc kOlderPack = std::errc::not_supported;  // or older.
+inline constexpr std::errc kCutOffPack = std::errc::message_size;  // It ends too early or goes on too long.
+inline constexpr std::errc kUnsignedPack = std::errc::operation_not_permitted;
+inline constexpr std::errc kForeignPack =
+    std::errc::permission_denied;  // Signed, by a key that is not trusted.
+
 // Makes the header of a content, signed where `signer` is not null. Reads all of the content once.
 PackHeader MakeHeader(std::span<const std::uint8_t> content, const SecretKey* signer);
 
 // Reads a header of a file of `file_bytes`. `bytes` may be shorter than a header, and anything. Errors:
-//   invalid_argument  no pack, another version, cut off, too large, or wrongly signed; the words follow on a
-//                     file's name: "is no show pack"
+//   kNoPack, kNewerPack, kOlderPack, kCutOffPack   as above
+//   file_too_large    more than kLargestPack_bytes
+//   invalid_argument  wrongly signed, or not as MakeHeader writes it
+// The words follow on a file's name: "is no show pack".
 // The content is not looked at: its checksum is for the caller to compare. Pure.
 Result<PackSeal> ReadHeader(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes);
 

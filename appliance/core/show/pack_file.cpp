@@ -102,9 +102,11 @@ Result<PackSeal> ReadSeal(const OpenFile& file, const std::string& name) {
 // Without a key nobody is refused. With one a pack must be signed by that very key; a signature that does not
 // fit was refused before, by ReadHeader.
 Result<void> CheckSigner(const std::string& name, const PackSeal& seal, const LoadOptions& options) {
-  if (!options.signed_by || seal.signer == options.signed_by) return {};
-  return FailInput(name + (seal.signer ? " is signed by another key than the one this box trusts"
-                                       : " is not signed, and this box plays signed packs only"));
+  if (!options.signed_by) return {};
+  if (!seal.signer)
+    return FailInput(name + " is not signed, and this box plays signed packs only", kUnsignedPack);
+  if (std::ranges::find(*options.signed_by, *seal.signer) != options.signed_by->end()) return {};
+  return FailInput(name + " is signed by another key than the one this box trusts", kForeignPack);
 }
 
 // Each piece is summed up while it is in the cache. The length is the header's, so that a file that grows
@@ -173,7 +175,13 @@ bool IsSound(const Sound& sound) {
 
 Result<LoadOptions> LoadOptionsOf(const std::filesystem::path& trust, bool verified) {
   if (trust.empty()) return LoadOptions{.on_verified_root = verified};
-  return ReadPublicKey(trust).map([&](const PublicKey& key) { return LoadOptions{key, verified}; });
+  std::error_code none;
+  if (!std::filesystem::exists(trust, none)) return tl::unexpected(ReadPublicKey(trust).error());
+  auto keys = ReadPublicKeys({trust});
+  if (!keys) return tl::unexpected(keys.error());
+  if (keys->empty())
+    return FailInput(trust.string() + ": holds no public key; those are files that end in .pub");
+  return LoadOptions{std::move(*keys), verified};
 }
 
 Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options) {
@@ -217,6 +225,18 @@ Result<void> SavePack(const Show& show, const std::filesystem::path& file, const
   const auto content = EncodeContent(show);
   const PackHeader header = MakeHeader(content, signer);
   return WriteWholeFile(file, {header, content});
+}
+
+// One copy in memory is checked, signed and written, so that nobody can change it in between.
+Result<void> SignPack(const std::filesystem::path& file, const std::filesystem::path& into,
+                      const SecretKey& signer) {
+  const std::string name = file.string();
+  const auto content = OpenContent(name, {});
+  if (!content) return tl::unexpected(content.error());
+  const auto show = DecodeContent(content->bytes(), nullptr);
+  if (!show) return Refuse(name, show.error());
+  if (const auto faults = CheckShow(*show); !faults.empty()) return FailInput(name + ": " + faults.front());
+  return WriteWholeFile(into, {MakeHeader(content->bytes(), &signer), content->bytes()});
 }
 
 }  // namespace kaori::show

@@ -89,8 +89,12 @@ Result<void> SaveKey(const SecretKey& key, const std::filesystem::path& file) {
   auto ok = WriteWholeFile(file, {AsBytes(secret)}, kOwnerOnly);
   sodium_memzero(secret.data(), secret.size());
   if (!ok) return ok;
-  const std::string open = Line(kPublicMark, key.public_key().bytes);
+  const std::string open = PublicKeyLine(key.public_key());
   return WriteWholeFile(open_file, {AsBytes(open)});
+}
+
+std::string PublicKeyLine(const PublicKey& key) {
+  return Line(kPublicMark, key.bytes);
 }
 
 Result<SecretKey> ReadSecretKey(const std::filesystem::path& file) {
@@ -103,6 +107,61 @@ Result<PublicKey> ReadPublicKey(const std::filesystem::path& file) {
   PublicKey key;
   if (auto ok = ReadLine(file, kPublicMark, key.bytes); !ok) return tl::unexpected(ok.error());
   return key;
+}
+
+namespace {
+
+// A box may hold a key that somebody spoilt: the others still count.
+Result<void> AddFolder(const std::filesystem::path& folder, PublicKeys& keys,
+                       std::vector<std::string>* faults) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->path().extension() == ".pub") files.push_back(it->path());
+  if (error) return Fail(static_cast<std::errc>(error.value()), "read the folder " + folder.string());
+  std::ranges::sort(files);
+  for (const auto& file : files) {
+    if (auto key = ReadPublicKey(file))
+      keys.push_back(*key);
+    else if (faults != nullptr)
+      faults->push_back(key.error().message());
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<PublicKeys> ReadPublicKeys(std::span<const std::filesystem::path> places,
+                                  std::vector<std::string>* faults) {
+  PublicKeys keys;
+  for (const auto& place : places) {
+    std::error_code none;
+    if (std::filesystem::is_directory(place, none)) {
+      if (auto ok = AddFolder(place, keys, faults); !ok) return tl::unexpected(ok.error());
+    } else if (std::filesystem::exists(place, none)) {
+      const auto key = ReadPublicKey(place);
+      if (!key) return tl::unexpected(key.error());
+      keys.push_back(*key);
+    }
+  }
+  return keys;
+}
+
+Result<PublicKeys> ReadPublicKeys(std::initializer_list<std::filesystem::path> places) {
+  return ReadPublicKeys(std::span(places.begin(), places.size()));
+}
+
+std::string Fingerprint(const PublicKey& key) {
+  std::array<std::uint8_t, 32> sum{};
+  crypto_generichash(sum.data(), sum.size(), key.bytes.data(), key.bytes.size(), nullptr, 0);
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (i > 0 && i % 2 == 0) text += ' ';
+    text += kDigits[sum[i] >> 4U];
+    text += kDigits[sum[i] & 15U];
+  }
+  return text;
 }
 
 }  // namespace kaori::show

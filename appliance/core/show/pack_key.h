@@ -4,6 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "drivers/base/result.h"
 
@@ -14,6 +18,8 @@ struct PublicKey {
   std::array<std::uint8_t, 32> bytes{};
   friend bool operator==(const PublicKey&, const PublicKey&) = default;
 };
+
+using PublicKeys = std::vector<PublicKey>;
 
 // The key with which a company signs. Its memory is wiped when it goes, and that of each copy; it is never logged.
 class SecretKey {
@@ -45,5 +51,19 @@ Result<void> SaveKey(const SecretKey& key, const std::filesystem::path& file);
 // disk. Errors: as ReadFile; invalid_argument (it holds no such key).
 Result<SecretKey> ReadSecretKey(const std::filesystem::path& file);
 Result<PublicKey> ReadPublicKey(const std::filesystem::path& file);
+
+// The public keys of several places: a file is one key, a folder is all of its files named *.pub, in the order of their
+// names; a place that does not exist has none. A file of a folder that holds no key is left out, with a line in
+// `faults` where that is given. Blocks for the disk. Errors: those of ReadPublicKey for a file; what a folder cannot
+// be read for.
+Result<PublicKeys> ReadPublicKeys(std::span<const std::filesystem::path> places,
+                                  std::vector<std::string>* faults = nullptr);
+Result<PublicKeys> ReadPublicKeys(std::initializer_list<std::filesystem::path> places);
+
+// The line of a public key's file, as SaveKey writes it. Pure.
+std::string PublicKeyLine(const PublicKey& key);
+
+// What people compare: the first eight bytes of BLAKE2b-256 of the key, as "3f2a 19c0 77de 01b4".
+std::string Fingerprint(const PublicKey& key);
 
 }  // namespace kaori::show

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "appliance/core/last_face/last_face.h"
+#include "appliance/core/store/choice.h"
 #include "appliance/programs/boot/ahead.h"
 #include "appliance/programs/boot/card.h"
 #include "appliance/programs/boot/data_partition.h"
@@ -43,6 +44,7 @@ It has no options, and does nothing unless it is process 1, as the kernel starts
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kLastFace = "/var/lib/kaori/own/last-face";
 constexpr const char* kPack = "/usr/share/kaori/kaori.kaori";
+constexpr const char* kShows = "/var/lib/kaori/shows";
 constexpr const char* kKnownShaders = "/usr/share/kaori/shaders.known";
 constexpr const char* kStageFolder = "/run/kaori";  // Where its unit tells Mesa to keep shaders.
 constexpr const char* kAhead = "/usr/share/kaori/ahead";
@@ -95,11 +97,13 @@ void AwaitStage(const kaori::boot::Card& card, const std::vector<kaori::boot::Sp
   for (int checks = 0; checks < kMostChecks && card.IsShown(shown); ++checks) ::usleep(kCheckPeriod_us);
 }
 
-// The last face is shown only where the stage will resume it: not without the disk on which its state lies.
+// The last face is shown only where the stage will resume it: not without the disk on which its state lies, nor where
+// another show was chosen since.
 std::optional<kaori::boot::Still> ChooseStill() {
   namespace last_face = kaori::last_face;
+  const auto pack = kaori::store::PackOf(kaori::store::ReadChoice(kShows).current, kShows, kPack);
   const auto last = kaori::boot::ReadLastStill(Map(kLastFace, last_face::kLargest_bytes + 1),
-                                               Map(kPack, last_face::kShowMark_bytes));
+                                               Map(pack.c_str(), last_face::kShowMark_bytes));
   return last ? last : kaori::boot::ReadStill(Map(kStill));
 }
 

@@ -15,6 +15,7 @@
 #include "appliance/core/board/watch.h"
 #include "appliance/programs/input/input_service.h"
 #include "appliance/programs/input/line_roles.h"
+#include "appliance/programs/input/service_key.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/loop_watchdog.h"
@@ -56,13 +57,16 @@ constexpr std::string_view kHelp =
   --counts-per-turn N
                    counts of one turn of a dial of a dial box, in place of what the settings say
   --settings FILE  the ports of the devices, dead zones and curves (TOML)
+  --box FILE       instead: a box's settings, of which these are a part; a mistake in them is logged, and
+  --last-good FILE counts then, a copy of the last ones without a mistake
+  --key FILE       is made while the key switch, the line `service`, is on
 )";
 
 constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could not be opened yet.
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file, chip, lines, serial, surfaces, dials, counts;
+  std::string links, file, box, last_good, key, chip, lines, serial, surfaces, dials, counts;
   bool hidraw = false, usb = false;
 };
 
@@ -205,10 +209,18 @@ kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings, co
   };
 }
 
+// A box's own settings, or those of a file.
+kaori::Result<kaori::input::InputSettings> ReadFiles(const Settings& options) {
+  if (!options.file.empty()) return kaori::input::ReadSettings(options.file);
+  if (options.box.empty()) return kaori::input::InputSettings{};
+  auto [read, fault] = kaori::input::ReadBoxSettings(options.box, options.last_good);
+  if (!fault.empty()) kaori::LogWarning("{}", fault);
+  return read;
+}
+
 // The file, and over it what the options say.
 kaori::Result<kaori::input::InputSettings> ReadSettings(const Settings& options) {
-  kaori::Result<kaori::input::InputSettings> settings;
-  if (!options.file.empty()) settings = kaori::input::ReadSettings(options.file);
+  auto settings = ReadFiles(options);
   if (!settings || options.counts.empty()) return settings;
   const auto counts = kaori::ParseNumber<int>(options.counts);
   if (!counts || *counts < 1 || *counts > kaori::input::kMostCountsOfATurn)
@@ -246,8 +258,12 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   watch.Step();
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::service::FeedWatchdog(loop, clock); !ok) return kaori::ExitWithError(ok.error());
-  if (auto ok = loop.RunEvery(kTick, [&watch] { watch.Step(); }); !ok)
-    return kaori::ExitWithError(ok.error());
+  kaori::input::ServiceKey key(settings.key);
+  const auto tick = [&] {
+    watch.Step();
+    key.Step(board->Read<kaori::board::Lines>());
+  };
+  if (auto ok = loop.RunEvery(kTick, tick); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }
 
@@ -268,6 +284,7 @@ int main(int argc, char** argv) {
       .Text("--lines", settings.lines)
       .Text("--counts-per-turn", settings.counts)
       .Text("--settings", settings.file);
+  options.Text("--box", settings.box).Text("--last-good", settings.last_good).Text("--key", settings.key);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());

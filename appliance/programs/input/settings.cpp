@@ -1,6 +1,7 @@
 #include "appliance/programs/input/settings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "appliance/core/toml/value.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::input {
 namespace {
@@ -107,14 +110,9 @@ void ReadStick(Reading& reading, std::size_t which, InputSettings& settings) {
   reading.Switch(table, "slider_reversed", stick.slider_reversed);
 }
 
-}  // namespace
-
-// The file is read once, when the program starts.
-Result<InputSettings> ReadSettings(const std::string& path) {
-  const auto value = toml::ReadToml(path);
-  if (!value) return tl::unexpected(value.error());
+Result<InputSettings> Interpret(const std::string& path, const toml::Value& file) {
   InputSettings settings;
-  Reading reading(path, *value);
+  Reading reading(path, file);
   reading.Whole("dials", "counts_per_turn", settings.counts_per_turn, 1, kMostCountsOfATurn);
   reading.Text("dials", "port", settings.dial_box_port);
   reading.Text("keyboard", "port", settings.keyboard_port);
@@ -125,6 +123,41 @@ Result<InputSettings> ReadSettings(const std::string& path) {
   reading.RefuseTheRest();
   if (!reading.complaint().empty()) return FailInput(reading.complaint());
   return settings;
+}
+
+// Of a box's settings those that are kaori-input's.
+Result<InputSettings> InterpretBox(const std::string& text, const std::string& path) {
+  auto file = toml::Parse(text, path);
+  if (!file) return tl::unexpected(file.error());
+  constexpr std::array<std::string_view, 4> kOurs{"dials", "keyboard", "pointer", "stick"};
+  std::erase_if(file->table,
+                [&](const auto& item) { return std::ranges::find(kOurs, item.first) == kOurs.end(); });
+  return Interpret(path, *file);
+}
+
+}  // namespace
+
+// The file is read once, when the program starts.
+Result<InputSettings> ReadSettings(const std::string& path) {
+  return toml::ReadToml(path).and_then([&](const toml::Value& file) { return Interpret(path, file); });
+}
+
+// A good file is copied only where it differs from the copy: no start without a change writes anything.
+BoxSettings ReadBoxSettings(const std::string& file, const std::string& last_good) {
+  const auto text = ReadFile(file);
+  if (!text && text.error().cause == std::errc::no_such_file_or_directory) return {};
+  const auto settings =
+      text ? InterpretBox(*text, file) : Result<InputSettings>(tl::unexpected(text.error()));
+  const auto before = ReadFile(last_good);
+  if (settings) {
+    // Where this fails the box only has no last good settings next time.
+    if (!before || *before != *text) static_cast<void>(WriteWholeFile(last_good, {AsBytes(*text)}));
+    return {*settings, {}};
+  }
+  if (before)
+    if (const auto kept = InterpretBox(*before, last_good))
+      return {*kept, settings.error().message() + "; the last good settings count"};
+  return {InputSettings{}, settings.error().message() + "; the usual settings count"};
 }
 
 }  // namespace kaori::input

@@ -43,4 +43,16 @@ struct InputSettings {
 // curve are as decode::StickSettings says. Blocks for the disk.
 Result<InputSettings> ReadSettings(const std::string& path);
 
+// The settings of a box, and what is wrong with its file.
+struct BoxSettings {
+  InputSettings settings;
+  std::string fault{};  // One line that names file, line and what counts instead; empty: nothing is wrong.
+};
+
+// Reads the sections above from a box's settings (box.toml); other sections are other programs' business. A sound file
+// is kept as `last_good`, whole or not at all; of a faulty one nothing is believed, and the last good one counts, or
+// else the defaults. A file that is missing stands for the defaults. Blocks for the disk. Nothing of it fails: hands
+// play a box with bad settings.
+BoxSettings ReadBoxSettings(const std::string& file, const std::string& last_good);
+
 }  // namespace kaori::input

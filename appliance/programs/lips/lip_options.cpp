@@ -24,7 +24,8 @@ constexpr std::string_view kHelp =
   --sound-delay MS    the delay of the voice: 0 to 500 milliseconds; "auto" uses the measured one; "off" uses
                       no loudspeaker; default: that of the settings, or else auto
   --pack FILE     the show, for the sounds of its motions
-  --trust FILE    a public key: a show that it has not signed plays no sound
+  --trust FILE    a public key, or a folder of them: a show that none of them has signed plays no sound
+  --shows FOLDER  shows that were brought to the box: the sounds are those of the show that the stage plays
   --verified      the show lies on a root file system whose blocks the kernel verifies, so that only the
                   sounds are read
   --settings FILE the file of the calibration (paint, key, smoothing, range of the mouth); it need not exist
@@ -81,6 +82,7 @@ std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into) {
       .Text("--sound-delay", into.sound_delay)
       .Text("--pack", into.pack)
       .Text("--trust", into.trust)
+      .Text("--shows", into.shows)
       .Switch("--modes", into.modes)
       .Switch("--verified", into.verified)
       .Switch("--service", into.service);

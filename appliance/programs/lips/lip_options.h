@@ -14,7 +14,7 @@ struct LipOptions {
   // Each as given, and empty where it was not; the help text says what they mean.
   std::string board = "/dev/shm/kaori-board";
   std::string links, device, settings, paint, rest;
-  std::string microphone, loudspeaker, sound_delay, pack, trust;
+  std::string microphone, loudspeaker, sound_delay, pack, trust, shows;
   bool modes = false;
   bool verified = false;
   bool service = false;

@@ -102,6 +102,14 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = (*voice)->Join(loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::service::FeedWatchdog(loop, clock); !ok) return kaori::ExitWithError(ok.error());
+  // The sounds are another show's once the stage plays another one: started again, the program reads those.
+  const auto follow = [&, played = kaori::lips::PlayedShow(options)] {
+    if (const auto now = kaori::lips::PlayedShow(options); now.empty() || now == played) return;
+    kaori::Log("another show plays: its sounds are read");
+    loop.Stop();
+  };
+  if (!options.shows.empty())
+    if (auto ok = loop.Every(1s, follow); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, tick); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }

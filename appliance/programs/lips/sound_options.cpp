@@ -1,8 +1,13 @@
 #include "appliance/programs/lips/sound_options.h"
 
+#include <filesystem>
+#include <string>
 #include <utility>
 
 #include "appliance/core/show/pack.h"
+#include "appliance/core/store/play_log.h"
+#include "drivers/base/log.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori::lips {
 namespace {
@@ -10,15 +15,33 @@ namespace {
 // The gate shuts at half the amplitude at which it opens, so that it does not flutter.
 constexpr float kGateHysteresis_db = 6;
 
+// A show that was brought to the box: the stage has checked who signed it, and it is checked as a whole once more. Where
+// it cannot be read the show goes on without its sounds.
+std::vector<show::Sound> BroughtClips(const std::filesystem::path& pack) {
+  auto clips = show::LoadSounds(pack);
+  if (clips) return std::move(*clips);
+  LogWarning("{}; motions are silent", clips.error().message());
+  return {};
+}
+
 // None where no show is named: motions are then silent.
 Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
   if (options.pack.empty()) return std::vector<show::Sound>();
+  if (const std::string id = PlayedShow(options); store::IsId(id))
+    return BroughtClips(store::PackOf(id, options.shows, options.pack));
   return show::LoadOptionsOf(options.trust, options.verified).and_then([&](const show::LoadOptions& load) {
     return show::LoadSounds(options.pack, load);
   });
 }
 
 }  // namespace
+
+std::string PlayedShow(const LipOptions& options) {
+  if (options.shows.empty()) return {};
+  constexpr std::size_t kMostLog_bytes = 1 << 16;
+  const auto log = std::filesystem::path(options.board).parent_path() / "plays";
+  return store::ParsePlayLog(ReadFile(log, {.most_bytes = kMostLog_bytes}).value_or("")).last;
+}
 
 // The option is judged here, once: DelayOf is asked at each tick and passes over what it cannot read.
 Result<voice::VoiceServiceSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips) {

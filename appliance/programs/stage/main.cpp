@@ -12,14 +12,16 @@
 #include <optional>
 
 #include "appliance/core/board/watch.h"
-#include "appliance/core/roles/roles_file.h"
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
+#include "appliance/programs/stage/chosen_show.h"
 #include "appliance/programs/stage/evening.h"
 #include "appliance/programs/stage/last_face.h"
+#include "appliance/programs/stage/rehearsal.h"
 #include "appliance/programs/stage/screen_session.h"
 #include "appliance/programs/stage/show_log.h"
 #include "appliance/programs/stage/stage.h"
+#include "appliance/programs/stage/stage_options.h"
 #include "appliance/programs/stage/stage_status_display.h"
 #include "appliance/programs/stage/still.h"
 #include "appliance/programs/stage/studio.h"
@@ -27,7 +29,6 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/loop_watchdog.h"
-#include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/service.h"
 #include "drivers/scanout/kms_card.h"
@@ -36,37 +37,10 @@
 
 namespace {
 
-constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board describes
-
-  --board FILE    the board, shared with the other programs
-  --pack FILE     the show
-  --trust FILE    a public key: play no show that it has not signed
-  --verified      the show lies on a root whose every block the kernel checks: its checksum is not made again
-  --own FOLDER    where the box's own roles.toml lies, and expressions that are made on it are kept (/var/lib/kaori/own where it is there, else
-                  $XDG_STATE_HOME/kaori/own)
-  --last-face FILE  the last face is kept there, and the show goes on with it when the box is switched on
-  --evening FILE  plays the evening of this show log again, without the part of one operator, who is live: minus one
-  --without ROLE  whose part that is; "lips" is that of lips and voice
-  --at TIME       where it begins, by the clock of that evening, as in 19:43:10
-  --log FOLDER    keeps the show log there: what each frame was made of, three evenings of it
-  --links FOLDER  the simulator's link folder, in which the screen is plugged
-  --card FILE     instead: the graphics card, as in /dev/dri/card0
-  --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
-  --settings FOLDER what the box was told when it started (/run/kaori-profile)
-  --fdkeeper SOCKET where the card is kept while no stage runs
-  --still FILE    writes the show's first moment there, as a PPM
-  --early         sample the input right after each flip, not as late as drawing allows: to compare
-)";
-
 // The width of the small picture that is kept beside the last face.
 constexpr int kStillWidth_px = 480;
 
-struct Settings {
-  std::string log, still, last_face, board, pack, links, card, trust, own, mode, fdkeeper,
-      settings = "/run/kaori-profile";
-  kaori::stage::EveningOptions evening;
-  bool early = false, verified = false;
-};
+using Settings = kaori::stage::StageOptions;
 
 // The graphics card of a box. Null on a desk, where the simulator's screen is looked for, and in a box that has
 // none: playing unseen keeps the lamps alive. Any other failure ends the program, and systemd starts it again.
@@ -106,15 +80,22 @@ struct Loaded {
   std::unique_ptr<kaori::editor::ExpressionEditor> editor;
   std::unique_ptr<kaori::stage::PreparedShow> show;
   kaori::showlog::LogHead log_head;  // Made where a log is wanted: it takes a checksum of the whole program.
+  std::filesystem::path pack;
+  std::uint64_t generation = 0;
+  bool another = false;
 };
 
-// The box's own roles.toml, where it has one. One that is wrong is named and not used: the show's own roles play.
-void LayOverRoles(const std::filesystem::path& file, kaori::show::Show& show) {
-  std::error_code none;
-  if (!std::filesystem::exists(file, none)) return;
-  const auto faults = kaori::roles::LayOver(file, kaori::roles::ItemsOf(show.cast), show.roles);
-  for (const std::string& fault : faults) kaori::LogWarning("{}", fault);
-  if (!faults.empty()) kaori::LogWarning("the show is played with its own roles");
+// Keys that were brought to the box lie beside its shows, and what became of each show beside the board, in memory.
+kaori::Result<kaori::stage::ShowPlaces> PlacesOf(const Settings& settings) {
+  auto options = kaori::show::LoadOptionsOf(settings.trust, settings.verified);
+  if (!options) return tl::unexpected(options.error());
+  const std::filesystem::path shows = settings.shows, board = settings.board;
+  return kaori::stage::ShowPlaces{.root_pack = settings.pack,
+                                  .shows = shows,
+                                  .keys = shows.parent_path() / "settings" / "keys",
+                                  .play_log = board.parent_path() / "plays",
+                                  .chosen = settings.chosen,
+                                  .of_root = std::move(*options)};
 }
 
 std::filesystem::path OwnFolder(const Settings& settings) {
@@ -131,37 +112,64 @@ std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kao
 }
 
 // Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a graphics card.
-kaori::Result<Loaded> LoadShow(const Settings& settings) {
-  const auto options = kaori::show::LoadOptionsOf(settings.trust, settings.verified);
-  if (!options) return tl::unexpected(options.error());
-  auto show = kaori::show::LoadPack(settings.pack, *options);
-  if (!show) return tl::unexpected(show.error());
-  kaori::Log("{} is read", show->name);
+kaori::Result<Loaded> LoadShow(const Settings& settings, const kaori::stage::ShowPlaces& places) {
+  auto chosen = kaori::stage::LoadChosen(places, kaori::SteadyClock().now());
+  if (!chosen) return tl::unexpected(chosen.error());
+  auto& show = chosen->show;
+  kaori::Log("{} is read", show.name);
   const std::filesystem::path own = OwnFolder(settings);
-  LayOverRoles(own / "roles.toml", *show);
-  auto editor = kaori::editor::ExpressionEditor::Open(own, *show);
+  kaori::stage::LayOverRoles(own / "roles.toml", show);
+  auto editor = kaori::editor::ExpressionEditor::Open(own, show);
   kaori::showlog::LogHead head;
   if (!settings.log.empty())
-    head = kaori::stage::HeadOfLog(kaori::stage::ShowMark(settings.pack).value_or(0), own / "roles.toml",
+    head = kaori::stage::HeadOfLog(kaori::stage::ShowMark(chosen->pack).value_or(0), own / "roles.toml",
                                    kaori::SteadyClock().now());
-  return Loaded{std::move(editor), std::make_unique<kaori::stage::PreparedShow>(std::move(*show)),
-                std::move(head)};
+  return Loaded{std::move(editor),  std::make_unique<kaori::stage::PreparedShow>(std::move(show)),
+                std::move(head),    chosen->pack,
+                chosen->generation, chosen->another};
+}
+
+int Rehearse(const std::string& pack) {
+  const auto plays = kaori::show::LoadPack(pack).and_then(kaori::stage::Rehearse);
+  return plays ? 0 : kaori::ExitWithError(plays.error());
 }
 
 // None where nobody says where; else what was kept there before is taken up.
-std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kaori::stage::Studio& studio,
-                                                   const kaori::board::Board& board,
-                                                   kaori::stage::StageWriters& writers,
-                                                   const kaori::Clock& clock) {
+std::unique_ptr<kaori::stage::LastFace> LastFaceOf(
+    const Settings& settings, const std::filesystem::path& pack, kaori::stage::Studio& studio,
+    const kaori::board::Board& board, kaori::stage::StageWriters& writers, const kaori::Clock& clock) {
   if (settings.last_face.empty()) return nullptr;
-  const kaori::stage::LastFaceFile where{settings.last_face,
-                                         kaori::stage::ShowMark(settings.pack).value_or(0)};
+  const kaori::stage::LastFaceFile where{settings.last_face, kaori::stage::ShowMark(pack).value_or(0)};
   const auto taken_up =
       kaori::stage::ResumeLastFace(where, studio.show(), board, writers.performance, clock.now());
   const auto look = [&studio](kaori::stage::SmallImage& into) {
     return studio.ReadSmall(kStillWidth_px, into);
   };
   return std::make_unique<kaori::stage::LastFace>(where, look, taken_up);
+}
+
+// What a stage is made of, before anything is drawn.
+struct Prepared {
+  std::unique_ptr<kaori::scanout::KmsCard> card;  // Null: as CardOf says.
+  std::unique_ptr<kaori::gl::Context> context;
+  Loaded show;
+};
+
+// The show is loaded on another thread beside Mesa, which takes about as long; everything else is this thread's.
+kaori::Result<Prepared> Prepare(const Settings& settings, const kaori::stage::ShowPlaces& places) {
+  std::optional<kaori::Result<Loaded>> loaded;  // GCC 12 warns where a future carries it.
+  auto loading = std::async(std::launch::async, [&] { loaded.emplace(LoadShow(settings, places)); });
+  auto card = CardOf(settings);
+  if (card && *card) kaori::Log("the graphics card is open");
+  auto context = card.and_then(
+      [](const auto& each) { return kaori::gl::Context::Open(each ? each->device() : nullptr); });
+  loading.get();
+  if (!*loaded) return tl::unexpected(loaded->error());
+  if (!context) {
+    kaori::stage::NoteOrderlyEnd(places);  // Another show would not find a card either.
+    return tl::unexpected(context.error());
+  }
+  return Prepared{std::move(*card), std::move(*context), std::move(**loaded)};
 }
 
 // Once the first picture is shown: it stays from now on, whatever ends the stage, and the service manager watches the loop.
@@ -175,36 +183,32 @@ kaori::Result<void> BecomeReady(kaori::scanout::KmsCard* card, const kaori::stag
   return kaori::service::FeedWatchdog(loop, [&stage] { return stage.usual_turn(); });
 }
 
-// The show is loaded on another thread beside Mesa, which takes about as long; everything else is this
-// thread's. The writers are acquired before Mesa is loaded, so that a second stage ends at once. Once
-// the first picture is shown the card is handed to the fd keeper (Preserve), so that the picture stays when
-// the stage ends in whatever way. The last face is kept when the loop has ended.
+// The writers are acquired before the show is loaded, so that a second stage ends at once and notes no show. Once the
+// first picture is shown the card is handed to the fd keeper, so that the picture stays when the stage ends in whatever
+// way. The last face is kept when the loop has ended.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
-  std::optional<kaori::Result<Loaded>> show_or_error;  // GCC 12 warns where a future carries it.
-  auto loading = std::async(std::launch::async, [&] { show_or_error.emplace(LoadShow(settings)); });
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::stage::StageWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
-  const auto card = CardOf(settings);
-  if (!card) return kaori::ExitWithError(card.error());
-  if (*card) kaori::Log("the graphics card is open");
-  auto context = kaori::gl::Context::Open(*card ? (*card)->device() : nullptr);
-  loading.get();
-  auto& loaded = *show_or_error;
-  if (!loaded) return kaori::ExitWithError(loaded.error());
-  if (!context) return kaori::ExitWithError(context.error());
-  const auto studio = kaori::stage::Studio::Open(std::move(loaded->show), std::move(*context));
+  const auto places = PlacesOf(settings);
+  if (!places) return kaori::ExitWithError(places.error());
+  auto prepared = Prepare(settings, *places);
+  if (!prepared) return kaori::ExitWithError(prepared.error());
+  auto& [card, context, loaded] = *prepared;
+  const auto studio = kaori::stage::Studio::Open(std::move(loaded.show), std::move(context));
   if (!studio) return kaori::ExitWithError(studio.error());
   kaori::stage::StillClock clock(!settings.still.empty());
-  auto evening = kaori::stage::OpenEvening(settings.evening, settings.pack,
-                                           OwnFolder(settings) / "roles.toml", (*studio)->show());
+  auto evening = kaori::stage::OpenEvening(settings.evening, loaded.pack, OwnFolder(settings) / "roles.toml",
+                                           (*studio)->show());
   if (!evening) return kaori::ExitWithError(evening.error());
-  auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
+  if (loaded.another)  // What lies on the board is the state of the show before.
+    writers->performance.Write({}, clock.now(), kaori::board::SourceState::kAbsent);
+  auto last_face = LastFaceOf(settings, loaded.pack, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
-  stage.SetEditor(std::move(loaded->editor));
+  stage.SetEditor(std::move(loaded.editor));
   if (evening->play) stage.PlayOver(std::move(evening->play));
-  const auto log = LogOf(settings, loaded->log_head);
+  const auto log = LogOf(settings, loaded.log_head);
   if (log) stage.SetLog(&log->recorder());
   if (last_face)
     stage.CallAfterFrames(
@@ -216,7 +220,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!settings.early) stage.SampleLate();
   kaori::stage::ScreenSession session(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
     if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
-    return *card ? OpenScreen(**card, clock) : AwaitCard(settings.card, loop);
+    return prepared->card ? OpenScreen(*prepared->card, clock) : AwaitCard(settings.card, loop);
   });
   if (auto begun = session.Begin(); !begun) return kaori::ExitWithError(begun.error());
   kaori::Log("the first picture is drawn");
@@ -227,15 +231,22 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (auto ok = BecomeReady(card->get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
   kaori::stage::StageStatusDisplay status_display(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
-  const auto tell = [&] { status_display.Step(stage.screen()); };
+  kaori::stage::ShowWatch watch(*places, loaded.generation, clock.now());
+  const auto tell = [&] {
+    status_display.Step(stage.screen());
+    stage.SetNotice(status_display.notice());
+    if (!watch.IsOver(clock.now())) return;
+    kaori::Log("another show is chosen: the stage ends, to be started with it");
+    loop.Stop();
+  };
   if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok)
     return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   auto played = loop.Run();
   if (last_face) last_face->KeepNow();
   if (log) log->Finish();
-  if (!played) return kaori::ExitWithError(played.error());
-  return 0;
+  if (played) kaori::stage::NoteOrderlyEnd(*places);
+  return played ? 0 : kaori::ExitWithError(played.error());
 }
 
 }  // namespace
@@ -243,29 +254,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
 int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-stage");
   Settings settings;
-  kaori::Options options(kHelp);
-  options.Text("--board", settings.board, true)
-      .Text("--pack", settings.pack, true)
-      .Text("--links", settings.links)
-      .Text("--card", settings.card);
-  options.Text("--trust", settings.trust)
-      .Text("--last-face", settings.last_face)
-      .Text("--own", settings.own)
-      .Text("--log", settings.log)
-      .Text("--evening", settings.evening.log)
-      .Text("--without", settings.evening.without)
-      .Text("--at", settings.evening.at)
-      .Text("--mode", settings.mode)
-      .Text("--settings", settings.settings)
-      .Text("--fdkeeper", settings.fdkeeper)
-      .Text("--still", settings.still)
-      .Switch("--early", settings.early)
-      .Switch("--verified", settings.verified);
-  if (const auto status = options.Parse(argc, argv)) return *status;
-  if (settings.card.empty() == settings.links.empty()) {
-    kaori::LogError("where is the screen? Give one of --links and --card");
-    return 2;
-  }
+  if (const auto status = kaori::stage::ParseOptions(argc, argv, settings)) return *status;
+  if (!settings.rehearse.empty()) return Rehearse(settings.rehearse);
   if (!settings.mode.empty() && !kaori::scanout::ParseMode(settings.mode)) {
     kaori::LogError("--mode {}: expected width, height and rate, as in 1280x720@50", settings.mode);
     return 2;

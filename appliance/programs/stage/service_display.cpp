@@ -73,14 +73,14 @@ bool HasCode(const board::Stamped<board::Desk>& desk, Time now) {
          age < FromSeconds(desk.value.valid_s);
 }
 
+}  // namespace
+
 // In front of what the editor may have put there; a caption that is not shown holds lines of an earlier frame.
 void Say(const std::vector<std::string>& lines, scene::Caption& caption) {
   if (!(caption.shown > 0)) caption.lines.clear();
   caption.shown = 1;
   caption.lines.insert(caption.lines.begin(), lines.begin(), lines.end());
 }
-
-}  // namespace
 
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now) {
   return guide.source == board::SourceState::kLive && now - guide.at < kGuideSilence;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "appliance/core/board/snapshot.h"
 #include "appliance/core/performance/input_events.h"
@@ -26,6 +28,9 @@ void ConsumeGuideInput(performance::InputEvents& events);
 // The lamps of buttons 1 to 4 are shut, open, wide, narrow: those that are taken are lit, the one that is
 // asked for blinks, and faster while it is taken. When all are taken all four blink.
 std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now);
+
+// Puts lines in front of what a caption shows.
+void Say(const std::vector<std::string>& lines, scene::Caption& caption);
 
 // Adds lines to the scene's caption: those of the calibration where the screen may show captions, else the
 // line check while one runs, else the desk's

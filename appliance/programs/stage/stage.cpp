@@ -235,6 +235,7 @@ scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   if (line_checker_.running()) performed.lamps = line_checker_.lamps(presented_at);
   if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, presented_at);
   ShowService(snapshot, presented_at, performed.scene);
+  if (!notice_.empty()) Say(notice_, performed.scene.caption);
   call_log_.Tell(state_, performed.state, presented_at);
   state_ = performed.state;
   writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);

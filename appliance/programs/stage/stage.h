@@ -8,7 +8,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/snapshot.h"
@@ -54,6 +56,10 @@ class Stage {
 
   // From the next frame on each is noted there, seen or not. The recorder outlives the stage; null: no longer.
   void SetLog(showlog::Recorder* log) { log_ = log; }
+  // Lines over the picture from the next frame on, for whoever services the box; none in a show.
+  void SetNotice(const std::vector<std::string>& lines) {
+    if (lines != notice_) notice_ = lines;
+  }
 
   // Plays an evening again from its log, from the next frame on, without the part of one operator, which is live. When it is
   // over, or where its log has a gap, all of the board is live. The evening was opened on the studio's show.
@@ -139,6 +145,7 @@ class Stage {
   board::Snapshot laid_;  // The board of this frame, where an evening lies over it.
   bool evening_began_ = false;
   // The state of the show, as it was written to the board last.
+  std::vector<std::string> notice_;
   performance::State state_;
   bool resumed_ = false;
   FramePacer pacer_;

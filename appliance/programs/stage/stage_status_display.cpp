@@ -33,6 +33,8 @@ StageStatusDisplay::StageStatusDisplay(const board::Board& board, const Clock& c
 void StageStatusDisplay::Step(ports::Scanout* screen) {
   LookAtScreens(screen);
   ports::StatusDisplay* const display = screen == nullptr ? nullptr : screen->status_display();
+  LookAtFacts();
+  notice_ = display == nullptr ? facts_.shows : std::vector<std::string>();
   if (display == nullptr || clock_.now() < silent_until_) return;
   const auto shown = ShowNext(*display);
   owed_ = !shown && shown.error().cause == std::errc::device_or_resource_busy;
@@ -54,15 +56,16 @@ void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
   facts_read_ = {};
 }
 
-// The board is memory and read at each step; files are looked at once a second, or when the screens have
-// changed.
-std::vector<status::Line> StageStatusDisplay::Lines() {
+// Files are looked at once a second, or when the screens have changed; the board is memory and read at each step.
+void StageStatusDisplay::LookAtFacts() {
   const Time now = clock_.now();
-  if (facts_read_ == Time{} || now - facts_read_ >= kFactsPeriod) {
-    facts_ = status::ReadFacts(places_);
-    facts_read_ = now;
-  }
-  return status::Describe(status::Look(board_, facts_, now));
+  if (facts_read_ != Time{} && now - facts_read_ < kFactsPeriod) return;
+  facts_ = status::ReadFacts(places_);
+  facts_read_ = now;
+}
+
+std::vector<status::Line> StageStatusDisplay::Lines() {
+  return status::Describe(status::Look(board_, facts_, clock_.now()));
 }
 
 // A display that was plugged in, or changed its mode, is blank or of another size: everything is drawn anew.

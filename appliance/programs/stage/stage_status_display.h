@@ -28,6 +28,10 @@ class StageStatusDisplay {
 
   static constexpr Duration kPeriod = std::chrono::milliseconds(100);
 
+  // What the show's own screen says to whoever services the box, where there is no other one: the stick's shows. Of the
+  // last time that files were looked at, by Step.
+  const std::vector<std::string>& notice() const { return notice_; }
+
  private:
   // Writes the file of screens where they changed.
   void LookAtScreens(ports::Scanout* screen);
@@ -36,7 +40,9 @@ class StageStatusDisplay {
   // A blank sheet of the display's size; all of its rows are to be shown. Errors: not_enough_memory.
   Result<status::Sheet::Rows> DrawAnew(const ports::StatusDisplay& display);
   status::Sheet::Rows DrawChanged();
-  // The status as it is now; files are read once a second.
+  // Reads the facts' files anew, once a second.
+  void LookAtFacts();
+  // The status as it is now.
   std::vector<status::Line> Lines();
 
   const board::Board& board_;
@@ -45,6 +51,7 @@ class StageStatusDisplay {
   // As they were read last, and when; Time{}: they are to be read anew.
   status::Facts facts_;
   Time facts_read_{};
+  std::vector<std::string> notice_;
   std::optional<std::vector<ports::Output>> screens_;  // As they were written last.
   std::optional<status::Sheet> sheet_;
   bool owed_ = false;  // The display has rows that it has not shown.

@@ -1,5 +1,6 @@
 #include "appliance/programs/status/facts.h"
 
+#include <algorithm>
 #include <sstream>
 #include <system_error>
 
@@ -27,6 +28,11 @@ std::string WordOf(const std::filesystem::path& path) {
   return lines.empty() ? std::string() : lines.front();
 }
 
+// The font is DejaVu Sans, which has no Japanese: those lines are in the log.
+bool IsAscii(char letter) {
+  return static_cast<unsigned char>(letter) < 0x80U;
+}
+
 }  // namespace
 
 // All files are small and lie in memory (/run), so that reading them anew each second costs next to nothing.
@@ -36,7 +42,9 @@ Facts ReadFacts(const Places& places) {
               WordOf(places.settings / "status_screen"),
               LinesOf(places.settings / "faults"),
               ParseScreens(ReadFile(places.screens).value_or("")),
-              LinesOf(places.notices / "power")};
+              LinesOf(places.notices / "power"),
+              LinesOf(places.shows)};
+  std::erase_if(facts.shows, [](const std::string& line) { return !std::ranges::all_of(line, IsAscii); });
   std::error_code none;
   for (const char* profile : kProfiles)
     if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;

@@ -15,6 +15,8 @@ struct Places {
   std::filesystem::path settings = "/run/kaori-profile";  // What kaori-boot leaves there.
   std::filesystem::path screens = "/run/kaori/screens";   // The stage's screens_file.h.
   std::filesystem::path notices = "/run/kaori-notices";   // What kaori-power leaves there.
+  // What kaori-shows says while the service key is on.
+  std::filesystem::path shows = "/run/kaori-shows/lines";
 };
 
 // Compared as a whole, to see whether anything has changed.
@@ -28,6 +30,8 @@ struct Facts {
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.
   // What whoever stands before the box is to know of what he has just done, one line each.
   std::vector<std::string> notices;
+  // Which shows a stick holds, and how bringing one in stands; those of its lines that the font has letters for.
+  std::vector<std::string> shows{};
 
   friend bool operator==(const Facts&, const Facts&) = default;
 };

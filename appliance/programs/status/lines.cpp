@@ -224,6 +224,7 @@ std::vector<Line> Describe(const State& state) {
   std::vector<Line> lines{Title(state.facts)};
   for (const std::string& fault : state.facts.faults) lines.push_back({Mark::kFault, "fault", fault});
   for (const std::string& notice : state.facts.notices) lines.push_back({Mark::kMissing, "power", notice});
+  for (const std::string& line : state.facts.shows) lines.push_back({Mark::kGood, "stick", line});
   lines.push_back(Show(state.board.stage_status, !state.facts.screens.empty(), state.now));
   if (state.facts.screens.empty())
     lines.push_back({Mark::kFault, "screens", "No screen is plugged in; the show goes on unseen."});

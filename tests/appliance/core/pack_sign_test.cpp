@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 class SignedPack : public PackTest {
  protected:
   std::string Refusal(const std::filesystem::path& file, const SecretKey& trusted) const {
-    const auto loaded = LoadPack(file, {.signed_by = trusted.public_key()});
+    const auto loaded = LoadPack(file, {.signed_by = show::PublicKeys{trusted.public_key()}});
     return loaded ? "" : loaded.error().message();
   }
 
@@ -28,7 +28,7 @@ class SignedPack : public PackTest {
 
 TEST_F(SignedPack, IsPlayedByABoxThatTrustsItsKeyAndByOneThatAsksForNone) {
   const auto file = Write(EncodePack(SmallShow(), &company_));
-  EXPECT_TRUE(LoadPack(file, {.signed_by = company_.public_key()}));
+  EXPECT_TRUE(LoadPack(file, {.signed_by = show::PublicKeys{company_.public_key()}}));
   EXPECT_TRUE(LoadPack(file));
   EXPECT_EQ(*show::ReadSigner(file), company_.public_key());
 }

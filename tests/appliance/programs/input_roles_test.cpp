@@ -1,9 +1,13 @@
 // Roles of sticks, and settings.
+#include <unistd.h>
+
+#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "appliance/programs/input/service_key.h"
 #include "appliance/programs/input/settings.h"
 #include "appliance/programs/input/stick_roles.h"
 #include "tests/appliance/core/board_file.h"
@@ -63,6 +67,45 @@ TEST_F(Settings, SayWhichPortPlaysWhatAndHow) {
   EXPECT_EQ(settings->stick_ports[1], "1-4.3");
   EXPECT_EQ(settings->sticks[1].curve, 0.5F);
   EXPECT_EQ(settings->stick_ports[0], "");
+}
+
+// A box's settings hold other programs' sections, too.
+TEST_F(Settings, OfABoxAreKeptAndTheLastGoodOnesCountWhereTheyAreWrong) {
+  const std::string path = file_.path() + ".box.toml", good = file_.path() + ".good.toml";
+  const auto read = [&](const std::string& text) {
+    std::ofstream(path) << text;
+    return ReadBoxSettings(path, good);
+  };
+  EXPECT_EQ(ReadBoxSettings(path, good).settings.counts_per_turn, 256) << "no file: the usual ones";
+  const auto first = read("profile = 'stage'\n[lines]\ngo = 0\n[dials]\ncounts_per_turn = 94\n");
+  EXPECT_EQ(first.settings.counts_per_turn, 94);
+  EXPECT_EQ(first.fault, "");
+  const auto second = read("[dials]\ncounts_per_tern = 12\n");
+  EXPECT_EQ(second.settings.counts_per_turn, 94);
+  EXPECT_THAT(second.fault, HasSubstr(".box.toml:2:19: dials.counts_per_tern does not exist; the last good"));
+  std::filesystem::remove(good);
+  const auto third = read("[dials\n");
+  EXPECT_EQ(third.settings.counts_per_turn, 256);
+  EXPECT_THAT(third.fault, HasSubstr("the usual settings count"));
+  std::filesystem::remove(path);
+}
+
+TEST(TheServiceKey, IsAFileWhileItIsOn) {
+  const auto file = std::filesystem::temp_directory_path() / ("kaori-key-" + std::to_string(::getpid()));
+  std::ofstream(file) << "of an earlier run";
+  ServiceKey key(file);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  const board::Stamped<board::Lines> off{{}, {}, board::SourceState::kLive};
+  auto on = off;
+  on.value.active = 1U << static_cast<unsigned>(board::Line::kService);
+  key.Step(on);
+  EXPECT_TRUE(std::filesystem::exists(file));
+  key.Step(off);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  key.Step(on);
+  on.source = board::SourceState::kStale;
+  key.Step(on);
+  EXPECT_FALSE(std::filesystem::exists(file)) << "the chip is gone";
 }
 
 TEST_F(Settings, NameLineAndColumnOfATypingError) {

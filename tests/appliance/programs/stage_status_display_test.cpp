@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -86,10 +85,6 @@ TEST_F(StageStatus, StandsWithinThreeSecondsAndIsThenLeftAlone) {
   Steps(30);
   EXPECT_GT(std::ranges::count_if(screen_.held.picture, [](auto byte) { return byte > 200; }), 100)
       << "letters";
-  // The list of screens, which another thread writes, is a line more.
-  for (int i = 0; i < 5000 && !std::filesystem::exists(place_.folder() / "screens"); ++i)
-    std::this_thread::sleep_for(1ms);
-  Steps(30);
   const int before = screen_.held.calls;
   Steps(20);
   EXPECT_EQ(screen_.held.calls, before) << "nothing changed";

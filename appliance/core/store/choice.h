@@ -1,0 +1,55 @@
+// Which of the shows on a box is played: the choice among the packs on the data partition and the one in the root.
+//
+// The folder of shows (/var/lib/kaori/shows) holds
+//   ID.kaori            packs; ID is the checksum of the pack's content, 64 hexadecimal digits
+//   choice.0, choice.1  the choice in two generations: the older one still stands where the newer is torn
+//   incoming            a pack that is being copied; of no meaning after a power cut
+// One program writes the folder, kaori-shows; kaori-boot, kaori-stage and kaori-lips read the choice.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaori::store {
+
+// The show that lies in the root, which is always there.
+inline constexpr std::string_view kRootShow = "root";
+inline constexpr std::array<const char*, 2> kChoiceFiles{"choice.0", "choice.1"};
+
+// What is played, and what was played before it: each the id of a pack, or kRootShow.
+struct Choice {
+  std::uint64_t generation = 0;  // Counts the choices that were made; 0: none was.
+  std::string current{kRootShow};
+  std::string previous{kRootShow};
+  friend bool operator==(const Choice&, const Choice&) = default;
+};
+
+// Whether it is 64 hexadecimal digits in lower case: nothing else ever becomes part of a path.
+bool IsId(std::string_view text);
+
+// The name of a pack's file in the folder of shows. `id` is an id.
+std::string PackName(std::string_view id);
+
+// The text of a choice, with a checksum at its end, and back; nothing for a text that is torn or foreign. Pure.
+std::string Format(const Choice& choice);
+std::optional<Choice> ParseChoice(std::string_view text);
+
+// The one of the higher generation of the two files' texts; the root's show where neither is sound. Pure.
+Choice Newer(std::string_view first, std::string_view second);
+
+// Reads the choice of a folder of shows; the root's show where there is none. Blocks for the disk.
+Choice ReadChoice(const std::filesystem::path& shows);
+
+// What is to be tried, in this order: current, previous, root; each once.
+std::vector<std::string> InOrder(const Choice& choice);
+
+// The pack of a show: in `shows`, or `root_pack`. `id` is as in Choice.
+std::filesystem::path PackOf(std::string_view id, const std::filesystem::path& shows,
+                             const std::filesystem::path& root_pack);
+
+}  // namespace kaori::store

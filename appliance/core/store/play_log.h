@@ -1,0 +1,51 @@
+// What became of the shows since the box was switched on: which one plays, and which ended the stage how often. It lies
+// in memory (/run/kaori/plays), so that a show that was given up gets another trial after the box was off.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "appliance/core/store/choice.h"
+#include "drivers/base/clock.h"
+#include "drivers/base/result.h"
+
+namespace kaori::store {
+
+// A show gives way to the one before it where it ends the stage so often within the span, or so often one after the other
+// without having played for that span at all: one that hangs, or ends slowly, takes longer for each end.
+inline constexpr int kMostEnds = 3;
+inline constexpr Duration kEndsWithin = std::chrono::minutes(1);
+inline constexpr Duration kSettlesAfter = kEndsWithin;
+
+// A choice that was made anew is another trial: entries are of one generation of the choice.
+struct PlayLog {
+  std::uint64_t generation = 0;
+  std::string playing;   // The show that a stage began to play and did not end in order; empty: none.
+  std::string last;      // The show that was played last, and whose state lies on the board; empty: none.
+  bool settled = false;  // The one that plays has been seen for kSettlesAfter.
+  int unsettled = 0;     // Ends of one show, one after the other, before it had settled.
+  // Ends of the stage that were none of its own will, oldest first, 16 at most.
+  struct End {
+    std::string show;
+    Time at{};
+    friend bool operator==(const End&, const End&) = default;
+  };
+  std::vector<End> ends;
+  std::vector<std::string> given_up;
+  friend bool operator==(const PlayLog&, const PlayLog&) = default;
+};
+
+// A stage starts at `now`: counts how the last one ended, and gives up what has ended the stage too often. The result
+// names no show as playing. Pure.
+PlayLog Started(PlayLog log, const Choice& choice, Time now);
+
+// The shows that are left to try, in their order; the root's is always among them. Pure.
+std::vector<std::string> ToTry(const PlayLog& log, const Choice& choice);
+
+// As text, and back; an unsound text is an empty log. Pure.
+std::string Format(const PlayLog& log);
+PlayLog ParsePlayLog(std::string_view text);
+
+}  // namespace kaori::store

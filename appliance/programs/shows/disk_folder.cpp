@@ -1,0 +1,110 @@
+#include <fcntl.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "appliance/programs/shows/folder.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::shows {
+namespace {
+
+constexpr std::size_t kMostSmallFile_bytes = 4096;
+
+// One file of the folder, as Draft says. A short write is no error: the rest is written by the next call, which then says why.
+class DiskDraft final : public Draft {
+ public:
+  DiskDraft(UniqueFd fd, std::string name) : fd_(std::move(fd)), name_(std::move(name)) {}
+
+  Result<void> Append(std::span<const std::uint8_t> bytes) override {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(fd_.get(), bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return FailErrno("write " + name_);
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return {};
+  }
+
+  // The kernel forgets the pages, so that whoever checks the file next reads the disk and not its memory.
+  Result<void> Finish() override {
+    if (::fsync(fd_.get()) < 0) return FailErrno("write " + name_);
+    ::posix_fadvise(fd_.get(), 0, 0, POSIX_FADV_DONTNEED);
+    return {};
+  }
+
+ private:
+  UniqueFd fd_;
+  std::string name_;
+};
+
+class DiskFolder final : public Folder {
+ public:
+  explicit DiskFolder(std::filesystem::path path) : path_(std::move(path)) {}
+
+  std::filesystem::path path() const override { return path_; }
+
+  Result<std::uint64_t> FreeBytes() const override {
+    struct statvfs status {};
+    if (::statvfs(path_.c_str(), &status) < 0) return FailErrno("look at " + path_.string());
+    return std::uint64_t{status.f_bavail} * status.f_frsize;
+  }
+
+  Result<std::vector<std::string>> Names() const override {
+    std::error_code error;
+    std::vector<std::string> names;
+    for (std::filesystem::directory_iterator it(path_, error), end; !error && it != end; it.increment(error))
+      names.push_back(it->path().filename().string());
+    if (error) return Fail(static_cast<std::errc>(error.value()), "read the folder " + path_.string());
+    return names;
+  }
+
+  std::uint64_t BytesOf(const std::string& name) const override {
+    std::error_code none;
+    const auto bytes = std::filesystem::file_size(path_ / name, none);
+    return none ? 0 : bytes;
+  }
+
+  std::string Read(const std::string& name) const override {
+    return ReadFile(path_ / name, {.most_bytes = kMostSmallFile_bytes}).value_or("");
+  }
+
+  // Readable by all of the box's programs: a show is no secret on it.
+  Result<std::unique_ptr<Draft>> Begin(const std::string& name) override {
+    const std::string file = (path_ / name).string();
+    UniqueFd fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644));
+    if (!fd.valid()) return FailErrno("write " + file);
+    return std::make_unique<DiskDraft>(std::move(fd), file);
+  }
+
+  Result<void> Rename(const std::string& from, const std::string& to) override {
+    if (std::rename((path_ / from).c_str(), (path_ / to).c_str()) < 0)
+      return FailErrno("rename " + (path_ / from).string());
+    return {};
+  }
+
+  Result<void> Remove(const std::string& name) override {
+    if (::unlink((path_ / name).c_str()) < 0 && errno != ENOENT)
+      return FailErrno("remove " + (path_ / name).string());
+    return {};
+  }
+
+  Result<void> KeepNames() override {
+    const UniqueFd fd(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("write the folder " + path_.string());
+    return {};
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+std::unique_ptr<Folder> OpenFolder(const std::filesystem::path& path) {
+  return std::make_unique<DiskFolder>(path);
+}
+
+}  // namespace kaori::shows

@@ -1,0 +1,160 @@
+#include "appliance/programs/shows/install_service.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "appliance/core/store/play_log.h"
+#include "drivers/base/log.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
+
+namespace kaori::shows {
+namespace {
+
+constexpr Duration kLookPeriod = std::chrono::milliseconds(500);
+constexpr std::size_t kLongestReason = 160;  // Two lines of a small screen.
+
+// As people compare it with what a stick holds: decimal, without a fraction.
+std::string Megabytes(std::uint64_t bytes) {
+  return fmt::format("{:.0f} MB", static_cast<double>(bytes) * 1e-6);
+}
+
+// A report that cannot be written costs the lines on the screen, and not the installation.
+void WriteReport(const std::filesystem::path& file, const std::string& text) {
+  if (auto ok = WriteWholeFile(file, {AsBytes(text)}); !ok) LogWarning("{}", ok.error().message());
+}
+
+// Spaces stand in fingerprints for people's eyes only.
+std::string KeyName(const show::PublicKey& key) {
+  std::string name = show::Fingerprint(key);
+  std::erase(name, ' ');
+  return name + ".pub";
+}
+
+}  // namespace
+
+InstallService::InstallService(ServicePlaces places, Folder& folder, const board::Board& board,
+                               LookForStick look, Trial trial)
+    : places_(std::move(places)),
+      folder_(folder),
+      board_(board),
+      look_(std::move(look)),
+      trial_(std::move(trial)) {
+  RemoveLeftovers(folder_);
+}
+
+// The copy that is on its way is of no use to anybody.
+InstallService::~InstallService() {
+  if (installation_) RemoveLeftovers(folder_);
+}
+
+// Read anew for each installation: a key that was just taken counts at once. A file without a key is named, and the others
+// still count; where nothing can be read nobody is trusted.
+show::PublicKeys InstallService::Keys() const {
+  std::vector<std::string> faults;
+  const std::vector<std::filesystem::path> folders{places_.root_keys, places_.keys};
+  const auto keys = show::ReadPublicKeys(folders, &faults);
+  for (const std::string& fault : faults) LogWarning("{}", fault);
+  return keys.value_or(show::PublicKeys{});
+}
+
+// The stage notes it in memory when it loads a show; without a stage the chosen show is what will play.
+std::string InstallService::Plays() const {
+  constexpr std::size_t kMostLog_bytes = 1 << 16;
+  return store::ParsePlayLog(ReadFile(places_.plays, {.most_bytes = kMostLog_bytes}).value_or("")).last;
+}
+
+// A stick is looked for while one is read as well, so that another one is listed as soon as the installation has ended.
+void InstallService::Step(Time now) {
+  if (now >= look_next_) Look(now);
+  if (installation_) return StepInstallation();
+  if (!stick_) return;
+  if (const auto taken =
+          menu_.Read(board_.Read<board::Keys>(), board_.Read<board::Surface>(), board_.Read<board::Lines>()))
+    Accept(*taken);
+}
+
+// The stick may go while its show is checked; while it is copied, the copy itself notices.
+void InstallService::Look(Time now) {
+  look_next_ = now + kLookPeriod;
+  auto looked = look_();
+  if (!looked && !installation_) Tell(Message::kUnreadable, {}, looked.error().message());
+  auto stick = looked.value_or(std::nullopt);
+  if (stick == stick_) return;
+  stick_ = std::move(stick);
+  if (installation_) return;
+  if (stick_) return OfferAll(*stick_);
+  menu_.Offer({});
+  if (looked && (said_ == Message::kChoose || said_ == Message::kNoShow)) Tell(Message::kPlugIn);
+}
+
+// Shows first, so that their numbers do not depend on the keys beside them. A file that holds no key is not offered.
+void InstallService::OfferAll(const std::filesystem::path& stick) {
+  const auto shows = ListShows(stick), keys = ListKeys(stick);
+  if (!shows || !keys) return Tell(Message::kPulled, {}, (!shows ? shows : keys).error().message());
+  std::vector<Choosable> choices;
+  for (const auto& offer : *shows) choices.push_back({Choosable::Kind::kShow, offer, Megabytes(offer.bytes)});
+  for (const auto& offer : *keys)
+    if (const auto key = show::ReadPublicKey(offer.file))
+      choices.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});
+  if (choices.size() > kMostOffers) choices.resize(kMostOffers);
+  const bool none = choices.empty();
+  menu_.Offer(std::move(choices));
+  Tell(none ? Message::kNoShow : Message::kChoose);
+}
+
+void InstallService::Accept(const Choosable& taken) {
+  return taken.kind == Choosable::Kind::kShow ? Install(taken) : AcceptKey(taken);
+}
+
+// The key alone is kept, as it was shown, under a name that no stick chooses.
+void InstallService::AcceptKey(const Choosable& taken) {
+  std::error_code none;
+  std::filesystem::create_directories(places_.keys, none);
+  const std::string line = show::PublicKeyLine(taken.key);
+  if (auto ok = WriteWholeFile(places_.keys / KeyName(taken.key), {AsBytes(line)}); !ok)
+    return Tell(ok.error().cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
+                taken.offer.name, ok.error().message());
+  Tell(Message::kKeyTaken, taken.offer.name, show::Fingerprint(taken.key));
+}
+
+// The name is kept: a stick that is gone can no longer be asked for it.
+void InstallService::Install(const Choosable& taken) {
+  name_ = taken.offer.name;
+  auto source = OpenSource(taken.offer.file);
+  if (!source) return Tell(MessageOf(source.error()), name_, source.error().message());
+  installation_.emplace(folder_, std::move(*source), Keys(), trial_, Plays());
+  Tell(Message::kCopying, name_);
+}
+
+// The stage is told by a number in memory, so that it asks no disk while a show plays.
+void InstallService::StepInstallation() {
+  const Message before = installation_->progress().message;
+  const Progress progress = installation_->Step();
+  if (progress.message != before || installation_->ended()) Tell(progress.message, name_, progress.detail);
+  if (!installation_->ended()) return;
+  if (progress.message == Message::kInstalled)
+    WriteReport(places_.report / "chosen", std::to_string(ReadChoice(folder_).generation) + "\n");
+  installation_.reset();
+  menu_.ForgetPresses();  // Whoever pressed again while nothing seemed to happen takes nothing more.
+}
+
+// The screen has both languages, one below the other.
+void InstallService::Tell(Message message, const std::string& name, const std::string& reason) {
+  const std::string detail = Printable(reason, kLongestReason);
+  said_ = message;
+  std::string text;
+  for (const std::string& line : menu_.Lines(message, Language::kEnglish, name, detail)) text += line + "\n";
+  text += Say(message, Language::kJapanese, name) + "\n";
+  if (text == told_) return;
+  told_ = text;
+  WriteReport(places_.report / "lines", text);
+  const std::string line =
+      Say(message, Language::kEnglish, name, detail) + " / " + Say(message, Language::kJapanese, name);
+  if (IsRefusal(message))
+    LogWarning("{}", line);
+  else
+    Log("{}", line);
+}
+
+}  // namespace kaori::shows

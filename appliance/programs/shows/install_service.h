@@ -1,0 +1,75 @@
+// The work of kaori-shows while the service key is on: looks for a stick, offers what lies on it, installs what is
+// taken, and says at each moment how that stands.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/shows/installation.h"
+#include "appliance/programs/shows/menu.h"
+#include "drivers/base/clock.h"
+
+namespace kaori::shows {
+
+struct ServicePlaces {
+  std::filesystem::path root_keys;  // Public keys of the house, in the root.
+  std::filesystem::path keys;       // Public keys that were brought to the box.
+  std::filesystem::path report;     // A folder in memory: `lines` for the screen, `chosen` for the stage.
+  std::filesystem::path
+      plays{};  // What the stage says of the show that plays: appliance/core/store/play_log.h.
+};
+
+// Gives the folder in which a stick is mounted; nothing while none is; an error where one is plugged in that cannot be
+// mounted. Called every half second.
+using LookForStick = std::function<Result<std::optional<std::filesystem::path>>()>;
+
+// One thread; folder and board must outlive it.
+class InstallService {
+ public:
+  InstallService(ServicePlaces places, Folder& folder, const board::Board& board, LookForStick look,
+                 Trial trial);
+  ~InstallService();
+  InstallService(const InstallService&) = delete;
+  InstallService& operator=(const InstallService&) = delete;
+
+  // To be called every kPeriod: a step copies 1 MiB at most, so that the disk has time for others.
+  void Step(Time now);
+
+  static constexpr Duration kPeriod = std::chrono::milliseconds(50);
+
+ private:
+  // A stick came or went. Nothing of it is shown while a show is installed; the next look after that makes up for it.
+  void Look(Time now);
+  // Lists what lies at the top of the stick, and says so; blocks for the stick.
+  void OfferAll(const std::filesystem::path& stick);
+  // What the menu gave: a show is begun, a key is kept at once.
+  void Accept(const Choosable& taken);
+  void AcceptKey(const Choosable& taken);
+  void Install(const Choosable& taken);
+  // The next piece; tells what has changed, and the stage where the show is on the box.
+  void StepInstallation();
+  // Says it on the screen, and in the log where it is another message than before.
+  void Tell(Message message, const std::string& name = {}, const std::string& reason = {});
+  show::PublicKeys Keys() const;
+  // The show that plays; empty where the stage has said nothing.
+  std::string Plays() const;
+
+  ServicePlaces places_;
+  Folder& folder_;
+  const board::Board& board_;
+  LookForStick look_;
+  Trial trial_;
+  std::optional<std::filesystem::path> stick_;
+  Time look_next_{};
+  Menu menu_;
+  std::optional<Installation> installation_;
+  std::string name_;  // Of what is being installed.
+  std::string told_;
+  std::optional<Message> said_;
+};
+
+}  // namespace kaori::shows

@@ -1,0 +1,268 @@
+#include "appliance/programs/shows/installation.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "drivers/base/unique_fd.h"
+#include "drivers/base/whole_file.h"
+
+namespace kaori::shows {
+namespace {
+
+// Neither name is an id or a choice, so that no reader of the folder ever takes either for one.
+constexpr const char* kIncoming = "incoming";
+constexpr const char* kNewChoice = "choice.new";
+
+// Read from front to back, once: what the header said and what is copied come from one open file, so that a name that is given
+// to another file meanwhile changes nothing.
+class FileSource final : public Source {
+ public:
+  FileSource(UniqueFd fd, std::uint64_t bytes, std::string name)
+      : fd_(std::move(fd)), bytes_(bytes), name_(std::move(name)) {}
+  std::uint64_t bytes() const override { return bytes_; }
+  Result<std::size_t> Read(std::span<std::uint8_t> into) override {
+    std::size_t done = 0;
+    while (done < into.size()) {
+      const ssize_t got = ::read(fd_.get(), into.data() + done, into.size() - done);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) return FailErrno("read " + name_);
+      if (got == 0) break;
+      done += static_cast<std::size_t>(got);
+    }
+    return done;
+  }
+
+ private:
+  UniqueFd fd_;
+  std::uint64_t bytes_;
+  std::string name_;
+};
+
+std::string IdOf(const show::Checksum& sum) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string id;
+  for (const std::uint8_t byte : sum) {
+    id += kDigits[byte >> 4U];
+    id += kDigits[byte & 15U];
+  }
+  return id;
+}
+
+std::string InMegabytes(std::uint64_t bytes) {
+  constexpr std::uint64_t kMegabyte = 1'000'000;
+  return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB";
+}
+
+}  // namespace
+
+// O_NONBLOCK: a stick may hold a pipe under a show's name.
+Result<std::unique_ptr<Source>> OpenSource(const std::filesystem::path& file) {
+  UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
+  if (!fd.valid()) return FailErrno("open " + file.string());
+  struct stat status {};
+  if (::fstat(fd.get(), &status) < 0) return FailErrno("look at " + file.string());
+  if (!S_ISREG(status.st_mode)) return FailInput(file.string() + " is no file", show::kNoPack);
+  return std::make_unique<FileSource>(std::move(fd), static_cast<std::uint64_t>(status.st_size),
+                                      file.string());
+}
+
+// A pack's own causes first. What else is wrong with the input is damage; what the system cannot read is a stick that is gone.
+Message MessageOf(const Error& error) {
+  switch (error.cause) {
+    case show::kNoPack:
+      return Message::kNotAShow;
+    case show::kNewerPack:
+      return Message::kNewerFormat;
+    case show::kOlderPack:
+      return Message::kOlderFormat;
+    case show::kCutOffPack:
+      return Message::kCutOff;
+    case std::errc::file_too_large:
+      return Message::kTooLarge;
+    default:
+      return error.kind == ErrorKind::kInput ? Message::kDamaged : Message::kPulled;
+  }
+}
+
+// Both are read each time: which of them counts is said by their generations alone.
+store::Choice ReadChoice(const Folder& folder) {
+  return store::Newer(folder.Read(store::kChoiceFiles[0]), folder.Read(store::kChoiceFiles[1]));
+}
+
+// Content, name, folder, in this order; a name that reached the disk before its content would be a torn choice.
+Result<void> WriteChoice(Folder& folder, store::Choice choice) {
+  const std::string text = store::Format(choice);
+  auto draft = folder.Begin(kNewChoice);
+  if (!draft) return tl::unexpected(draft.error());
+  if (auto ok = (*draft)->Append(AsBytes(text)); !ok) return ok;
+  if (auto ok = (*draft)->Finish(); !ok) return ok;
+  if (auto ok = folder.Rename(kNewChoice, store::kChoiceFiles[choice.generation % 2]); !ok) return ok;
+  return folder.KeepNames();
+}
+
+void RemoveLeftovers(Folder& folder) {
+  for (const char* name : {kIncoming, kNewChoice}) static_cast<void>(folder.Remove(name));
+}
+
+Installation::Installation(Folder& folder, std::unique_ptr<Source> source, show::PublicKeys keys, Trial trial,
+                           std::string plays)
+    : folder_(folder),
+      source_(std::move(source)),
+      keys_(std::move(keys)),
+      trial_(std::move(trial)),
+      before_(ReadChoice(folder)),
+      plays_(plays.empty() ? before_.current : std::move(plays)) {}
+
+// One stage after the other, and none twice: each ends in the next or in kEnded.
+const Progress& Installation::Step() {
+  switch (stage_) {
+    case Stage::kHeader:
+      ReadHeader();
+      break;
+    case Stage::kCopy:
+      CopyPiece();
+      break;
+    case Stage::kTry:
+      TryIt();
+      break;
+    case Stage::kSwitch:
+      Switch();
+      break;
+    case Stage::kEnded:
+      break;
+  }
+  return progress_;
+}
+
+// The draft is closed before its file goes. How far the copy came is kept for whoever shows it.
+void Installation::Refuse(Message message, std::string detail) {
+  draft_.reset();
+  static_cast<void>(folder_.Remove(kIncoming));  // Where this fails the next installation replaces it.
+  progress_ = {message, std::move(detail), progress_.done};
+  stage_ = Stage::kEnded;
+}
+
+// The box's own disk failed. A full one is for the person to mend; anything else is for whoever looks after the box.
+void Installation::RefuseFolder(const Error& error) {
+  Refuse(error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
+         error.message());
+}
+
+// Whoever signed it is asked before anything is copied: what is not trusted is not worth reading. The chosen show is
+// copied anew where the disk has spoilt it.
+void Installation::ReadHeader() {
+  show::PackHeader header{};
+  const auto got = source_->Read(header);
+  if (!got) return Refuse(Message::kPulled, got.error().message());
+  const auto seal = show::ReadHeader(std::span(header).first(*got), source_->bytes());
+  if (!seal) return Refuse(MessageOf(seal.error()), seal.error().message());
+  if (keys_.empty()) return Refuse(Message::kNoKeys);
+  if (!seal->signer) return Refuse(Message::kUnsigned);
+  if (std::ranges::find(keys_, *seal->signer) == keys_.end())
+    return Refuse(Message::kForeign, "key " + show::Fingerprint(*seal->signer));
+  seal_ = *seal;
+  id_ = IdOf(seal_.checksum);
+  if (before_.current == id_ && plays_ == id_ && trial_(folder_.path() / store::PackName(id_)))
+    return Refuse(Message::kAlreadyThere);
+  const auto room = MakeRoom(source_->bytes());
+  if (!room) return RefuseFolder(room.error());
+  if (!*room) return Refuse(Message::kFull, InMegabytes(source_->bytes() + kReserve_bytes) + " are needed");
+  auto draft = folder_.Begin(kIncoming);
+  if (!draft) return RefuseFolder(draft.error());
+  draft_ = std::move(*draft);
+  if (auto ok = draft_->Append(header); !ok) return RefuseFolder(ok.error());
+  stage_ = Stage::kCopy;
+}
+
+// Where all that may go would not be enough, nothing goes.
+Result<bool> Installation::MakeRoom(std::uint64_t bytes) {
+  if (auto ok = folder_.Remove(kIncoming); !ok) return tl::unexpected(ok.error());
+  const std::uint64_t wanted = bytes + kReserve_bytes;
+  const auto free = folder_.FreeBytes();
+  if (!free) return tl::unexpected(free.error());
+  const auto removable = Removable();
+  if (!removable) return tl::unexpected(removable.error());
+  std::uint64_t at_most = *free;
+  for (const std::string& name : *removable) at_most += folder_.BytesOf(name);
+  if (at_most < wanted) return false;
+  for (const std::string& name : *removable) {
+    const auto now = folder_.FreeBytes();
+    if (!now) return tl::unexpected(now.error());
+    if (*now >= wanted) return true;
+    if (auto ok = folder_.Remove(name); !ok) return tl::unexpected(ok.error());
+    if (auto ok = folder_.KeepNames(); !ok) return tl::unexpected(ok.error());
+  }
+  return folder_.FreeBytes().map([&](std::uint64_t now) { return now >= wanted; });
+}
+
+// The pack of the new show itself is among the first where it is there: it is copied anew.
+Result<std::vector<std::string>> Installation::Removable() const {
+  auto names = folder_.Names();
+  if (!names) return names;
+  const auto is = [&](const std::string& name, const std::string& id) {
+    return id != id_ && name == store::PackName(id);
+  };
+  std::erase_if(*names, [&](const std::string& name) {
+    return !name.ends_with(".kaori") || is(name, before_.current) || is(name, plays_);
+  });
+  std::ranges::sort(*names);
+  // Not that of std::ranges, which clang-tidy 14 cannot read.
+  std::stable_partition(names->begin(), names->end(),
+                        [&](const std::string& name) { return !is(name, before_.previous); });
+  return names;
+}
+
+// A chosen show that gave way is no show to fall back to.
+std::string Installation::ShowBefore() const {
+  for (const std::string& id : {plays_, before_.previous})
+    if (id != id_) return id;
+  return std::string(store::kRootShow);
+}
+
+// The length is the header's, so that a file that grows meanwhile is read no further than was agreed.
+void Installation::CopyPiece() {
+  const std::uint64_t left = seal_.content_bytes - copied_bytes_;
+  std::vector<std::uint8_t> piece(static_cast<std::size_t>(std::min<std::uint64_t>(left, kPiece_bytes)));
+  const auto got = source_->Read(piece);
+  if (!got) return Refuse(Message::kPulled, got.error().message());
+  if (*got < piece.size()) return Refuse(Message::kPulled, "it became shorter while it was read");
+  sum_.Add(piece);
+  if (auto ok = draft_->Append(piece); !ok) return RefuseFolder(ok.error());
+  copied_bytes_ += piece.size();
+  progress_.done =
+      seal_.content_bytes == 0
+          ? 1
+          : static_cast<float>(static_cast<double>(copied_bytes_) / static_cast<double>(seal_.content_bytes));
+  if (copied_bytes_ < seal_.content_bytes) return;
+  if (sum_.Finish() != seal_.checksum) return Refuse(Message::kDamaged, "its checksum does not fit");
+  if (auto ok = draft_->Finish(); !ok) return RefuseFolder(ok.error());
+  draft_.reset();
+  source_.reset();
+  progress_.message = Message::kTrying;
+  stage_ = Stage::kTry;
+}
+
+// The trial reads the copy from the disk: what the disk spoilt is found as well.
+void Installation::TryIt() {
+  if (auto ok = trial_(folder_.path() / kIncoming); !ok)
+    return Refuse(ok.error().cause == std::errc::operation_canceled ? Message::kKeyOff : Message::kUnplayable,
+                  ok.error().message());
+  stage_ = Stage::kSwitch;
+}
+
+// The pack has its name on the disk before the choice names it.
+void Installation::Switch() {
+  if (auto ok = folder_.Rename(kIncoming, store::PackName(id_)); !ok) return RefuseFolder(ok.error());
+  if (auto ok = folder_.KeepNames(); !ok) return RefuseFolder(ok.error());
+  if (auto ok = WriteChoice(folder_, {before_.generation + 1, id_, ShowBefore()}); !ok)
+    return RefuseFolder(ok.error());
+  progress_.message = Message::kInstalled;
+  stage_ = Stage::kEnded;
+}
+
+}  // namespace kaori::shows

@@ -1,0 +1,108 @@
+// Installs a show: copies a pack from a stick, checks it in every way there is, and only then makes it the one that
+// plays. At each moment, whatever fails, the show that played before is whole and chosen.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "appliance/core/show/pack_container.h"
+#include "appliance/core/store/choice.h"
+#include "appliance/programs/shows/folder.h"
+#include "appliance/programs/shows/messages.h"
+
+namespace kaori::shows {
+
+// A pack on a stick. Nothing of it is believed, and it may go at any moment.
+class Source {
+ public:
+  virtual ~Source() = default;
+  virtual std::uint64_t bytes() const = 0;
+  // Fills `into` as far as the file goes, and says how far. Blocks for the stick. Errors: those of read(2).
+  virtual Result<std::size_t> Read(std::span<std::uint8_t> into) = 0;
+};
+
+// Errors: those of open(2); invalid_argument for what is no regular file.
+Result<std::unique_ptr<Source>> OpenSource(const std::filesystem::path& file);
+
+// What an error of reading a pack means to a person.
+Message MessageOf(const Error& error);
+
+// How an installation stands. `detail` is the reason in the words of the log, English.
+struct Progress {
+  Message message = Message::kCopying;
+  std::string detail{};
+  float done = 0;  // Of the copy, 0..1.
+};
+
+// Judges the copy as a whole, by its path: the verifier, and a rehearsal. It was hashed already. Blocks.
+using Trial = std::function<Result<void>(const std::filesystem::path& pack)>;
+
+// One thread; the folder and the source must outlive it. Destroyed on the way it leaves nothing behind that counts.
+class Installation {
+ public:
+  // `keys` are those that the box trusts; `plays` is the show that plays, where that is not the chosen one: an id or
+  // kRootShow. Empty: the chosen one.
+  Installation(Folder& folder, std::unique_ptr<Source> source, show::PublicKeys keys, Trial trial,
+               std::string plays = {});
+
+  // Does the next piece of the work, 1 MiB of the copy at most, and says how it stands. To be called until ended().
+  const Progress& Step();
+  bool ended() const { return stage_ == Stage::kEnded; }
+  const Progress& progress() const { return progress_; }
+
+  // Left free for settings and what the box keeps, whatever is installed.
+  static constexpr std::uint64_t kReserve_bytes = std::uint64_t{4} << 20U;
+  static constexpr std::size_t kPiece_bytes = std::size_t{1} << 20U;
+
+ private:
+  enum class Stage : std::uint8_t { kHeader, kCopy, kTry, kSwitch, kEnded };
+
+  // One for each stage. Each ends in the next one, or in Refuse.
+  void ReadHeader();
+  void CopyPiece();
+  void TryIt();
+  void Switch();
+  // Ends with a refusal, and removes what was copied.
+  void Refuse(Message message, std::string detail = {});
+  void RefuseFolder(const Error& error);
+  // Removes packs until there is room: those that nobody plays, in the order of their names, and last the one that was
+  // played before. What plays and what is chosen stays, but a spoilt one that is copied anew.
+  Result<bool> MakeRoom(std::uint64_t bytes);
+  // The packs that may go, in the order in which they do.
+  Result<std::vector<std::string>> Removable() const;
+  // What is played where the new show gives way.
+  std::string ShowBefore() const;
+
+  Folder& folder_;
+  std::unique_ptr<Source> source_;
+  show::PublicKeys keys_;
+  Trial trial_;
+  Stage stage_ = Stage::kHeader;
+  Progress progress_;
+  store::Choice before_;
+  std::string plays_;
+  show::PackSeal seal_;
+  std::string id_;
+  std::unique_ptr<Draft> draft_;
+  show::Checksummer sum_;
+  std::uint64_t copied_bytes_ = 0;  // Of the content, without the header.
+};
+
+// Writes the next choice, in the older of the two generations' files, and returns once it is on the disk: the choice
+// is then this one, whatever happens. Errors: those of the folder; then the choice before still stands.
+Result<void> WriteChoice(Folder& folder, store::Choice choice);
+
+// The choice as the folder has it.
+store::Choice ReadChoice(const Folder& folder);
+
+// Removes what an installation left that was cut off: a copy that is half done takes the room of a show. What cannot be
+// removed stays for the next one, which replaces it.
+void RemoveLeftovers(Folder& folder);
+
+}  // namespace kaori::shows

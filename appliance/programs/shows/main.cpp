@@ -1,0 +1,193 @@
+// kaori-shows: brings shows from a stick onto the box. It runs while the service key is on, and ends when that is
+// turned back; a stick is mounted by it alone, in a mount namespace of its own, and goes with it.
+//
+// One loop. What plays goes on meanwhile: a step copies little, and the trial of a show is another process, both at
+// the lowest priority that the unit gives them. The end of the program at any moment leaves the show before.
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "appliance/programs/shows/install_service.h"
+#include "appliance/programs/shows/stick.h"
+#include "appliance/programs/shows/stick_mount.h"
+#include "appliance/programs/shows/trial.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "drivers/base/program.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick onto the box
+
+  --shows FOLDER     where the box keeps its shows (/var/lib/kaori/shows)
+  --root-keys FOLDER public keys of the house (/usr/share/kaori/keys)
+  --keys FOLDER      public keys that were brought to the box (/var/lib/kaori/settings/keys)
+  --stage PROGRAM    tries a show (/usr/bin/kaori-stage)
+  --board FILE       the board, from which keys and switches are read (/run/kaori/board)
+  --open FILE        is there while the service key is on; the program ends when it is gone (/run/kaori-service/open)
+  --report FOLDER    what is said to the screen and to the stage (/run/kaori-shows)
+  --stick FOLDER     where a stick is mounted (/run/kaori-stick)
+  --plugged          whatever lies in --stick is the stick: nothing is mounted
+  --install FILE     instead: installs this pack, says how it went, and ends
+)";
+
+struct Settings {
+  std::string shows = "/var/lib/kaori/shows", root_keys = "/usr/share/kaori/keys",
+              keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
+              board = "/run/kaori/board", open = "/run/kaori-service/open", report = "/run/kaori-shows",
+              stick = "/run/kaori-stick", install;
+  bool plugged = false;
+};
+
+// Mounts the first that holds shows or keys of all partitions of all sticks, else any that can be mounted: computers put a small
+// partition of their own in front of the one that people see. What cannot be mounted is tried again when it was out.
+class Sticks {
+ public:
+  explicit Sticks(fs::path at) : at_(std::move(at)) {}
+
+  // A stick in place of another is nothing for one look, so that the list of the first one is forgotten.
+  kaori::Result<std::optional<fs::path>> Look() {
+    const auto there = kaori::shows::FindSticks("/sys/class/block");
+    const auto is_out = [&](const std::string& device) {
+      return std::ranges::find(there, device) == there.end();
+    };
+    const std::string before = device_;
+    if (is_out(device_)) Leave();
+    std::erase_if(refused_, is_out);
+    for (const std::string& device : there) {
+      if (holds_something_) break;
+      if (device != device_ && std::ranges::find(refused_, device) == refused_.end()) Try(device);
+    }
+    if (!before.empty() && device_ != before)
+      return std::optional<fs::path>();  // Another: nothing, for one look.
+    if (mount_) return std::optional(at_);
+    if (there.empty()) return std::optional<fs::path>();
+    return tl::unexpected(fault_);
+  }
+
+ private:
+  void Leave() {
+    mount_.reset();
+    device_.clear();
+    holds_something_ = false;
+  }
+
+  bool HoldsSomething() const {
+    const auto shows = kaori::shows::ListShows(at_), keys = kaori::shows::ListKeys(at_);
+    return (shows && !shows->empty()) || (keys && !keys->empty());
+  }
+
+  // An empty one gives way to the next, and is not tried again either.
+  void Try(const std::string& device) {
+    if (mount_) refused_.push_back(device_);
+    Leave();
+    auto mount = kaori::shows::StickMount::Make("/dev/" + device, at_);
+    if (!mount) {
+      fault_ = mount.error();
+      refused_.push_back(device);
+      return;
+    }
+    mount_.emplace(std::move(*mount));
+    device_ = device;
+    holds_something_ = HoldsSomething();
+  }
+
+  fs::path at_;
+  std::string device_;
+  bool holds_something_ = false;
+  std::vector<std::string> refused_;
+  kaori::Error fault_{};
+  std::optional<kaori::shows::StickMount> mount_;
+};
+
+// A trial ends where it is not wanted any more; null: never.
+kaori::shows::Trial TrialBy(const Settings& settings, std::function<bool()> wanted = {}) {
+  return [stage = settings.stage, wanted = std::move(wanted)](const fs::path& pack) {
+    return kaori::shows::TryPack(stage, pack, kaori::shows::kLongestTrial, wanted);
+  };
+}
+
+// For a laptop's test, and for whoever has the disk in another computer.
+int Install(const Settings& settings) {
+  const auto folder = kaori::shows::OpenFolder(settings.shows);
+  const std::vector<fs::path> places{settings.root_keys, settings.keys};
+  auto keys = kaori::show::ReadPublicKeys(places);
+  if (!keys) return kaori::ExitWithError(keys.error());
+  auto source = kaori::shows::OpenSource(settings.install);
+  if (!source) return kaori::ExitWithError(source.error());
+  kaori::shows::Installation installation(*folder, std::move(*source), std::move(*keys), TrialBy(settings));
+  while (!installation.ended()) installation.Step();
+  const auto& [message, detail, done] = installation.progress();
+  const std::string name = fs::path(settings.install).filename().string();
+  const bool well =
+      message == kaori::shows::Message::kInstalled || message == kaori::shows::Message::kAlreadyThere;
+  std::fprintf(well ? stdout : stderr, "%s\n%s\n",
+               kaori::shows::Say(message, kaori::shows::Language::kEnglish, name, detail).c_str(),
+               kaori::shows::Say(message, kaori::shows::Language::kJapanese, name).c_str());
+  return well ? 0 : 1;
+}
+
+// Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for the screen go with
+// it; `chosen` stays, since the stage compares it with what it plays.
+int Serve(const Settings& settings, kaori::EventLoop& loop) {
+  if (auto ok = kaori::shows::KeepRightsToOurselves(); !ok) return kaori::ExitWithError(ok.error());
+  const auto board = kaori::board::Board::Open(settings.board);
+  if (!board) return kaori::ExitWithError(board.error());
+  std::error_code none;
+  for (const std::string& folder : {settings.shows, settings.report, settings.stick})
+    fs::create_directories(folder, none);
+  const auto folder = kaori::shows::OpenFolder(settings.shows);
+  Sticks sticks(settings.stick);
+  const auto look = [&]() -> kaori::Result<std::optional<fs::path>> {
+    if (settings.plugged) return std::optional<fs::path>(settings.stick);
+    return sticks.Look();
+  };
+  const auto is_open = [&settings] {
+    std::error_code gone;
+    return fs::exists(settings.open, gone);
+  };
+  const auto plays = fs::path(settings.board).parent_path() / "plays";
+  kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
+                                       *board, look, TrialBy(settings, is_open));
+  const kaori::SteadyClock clock;
+  const auto step = [&] {
+    if (!is_open()) return loop.Stop();
+    service.Step(clock.now());
+  };
+  kaori::Log("the service key is on: shows can be brought in");
+  const auto ran = loop.RunEvery(kaori::shows::InstallService::kPeriod, step);
+  fs::remove(fs::path(settings.report) / "lines", none);
+  if (!ran) return kaori::ExitWithError(ran.error());
+  kaori::Log("the service key is off");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::BeginProgram("kaori-shows");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--shows", settings.shows)
+      .Text("--root-keys", settings.root_keys)
+      .Text("--keys", settings.keys)
+      .Text("--stage", settings.stage)
+      .Text("--board", settings.board);
+  options.Text("--open", settings.open)
+      .Text("--report", settings.report)
+      .Text("--stick", settings.stick)
+      .Switch("--plugged", settings.plugged)
+      .Text("--install", settings.install);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  if (!settings.install.empty()) return Install(settings);
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return kaori::ExitWithError(loop.error());
+  return Serve(settings, *loop);
+}

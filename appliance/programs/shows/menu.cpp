@@ -1,0 +1,85 @@
+#include "appliance/programs/shows/menu.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "appliance/core/board/keys.h"
+#include "appliance/core/board/lines.h"
+
+namespace kaori::shows {
+namespace {
+
+// The codes of a log's presses since `seen`, oldest first; none at the first look.
+std::vector<std::uint32_t> Since(std::optional<std::uint32_t>& seen, const board::PressLog& log) {
+  std::vector<std::uint32_t> codes;
+  const std::uint32_t before = std::exchange(seen, log.count).value_or(log.count);
+  const std::uint32_t fresh = std::min<std::uint32_t>(log.count - before, board::PressLog::kKept);
+  for (std::uint32_t n = log.count - fresh; n != log.count; ++n)
+    codes.push_back(log.newest[n % board::PressLog::kKept].code & 0xFFU);
+  return codes;
+}
+
+}  // namespace
+
+void Menu::Offer(std::vector<Choosable> choices) {
+  choices_ = std::move(choices);
+  marked_ = 0;
+  ForgetPresses();
+}
+
+void Menu::ForgetPresses() {
+  keys_seen_.reset();
+  buttons_seen_.reset();
+  go_seen_.reset();
+}
+
+// Of several presses since the last look the first that takes something counts, and the arrows before it.
+std::optional<std::size_t> Menu::ReadKeys(const board::Stamped<board::Keys>& keys) {
+  for (const std::uint32_t code : Since(keys_seen_, keys.value.log)) {
+    if (code >= board::key::k1 && code < board::key::k1 + choices_.size()) return code - board::key::k1;
+    if (code == board::key::kEnter || code == board::key::kPadEnter) return marked_;
+    if (code == board::key::kDown && marked_ + 1 < choices_.size()) ++marked_;
+    if (code == board::key::kUp && marked_ > 0) --marked_;
+  }
+  return std::nullopt;
+}
+
+// The buttons of the first row, from the left, are the numbers of the list.
+std::optional<std::size_t> Menu::ReadButtons(const board::Stamped<board::Surface>& surface) {
+  for (const std::uint32_t code : Since(buttons_seen_, surface.value.log))
+    if (code < choices_.size()) return code;
+  return std::nullopt;
+}
+
+// The foot switch has no log: it counts its pushes, and any number of them since the last look is one.
+std::optional<std::size_t> Menu::ReadGo(const board::Stamped<board::Lines>& lines) {
+  const std::uint32_t pushes = lines.value.pushes[static_cast<std::size_t>(board::Line::kGo)];
+  return std::exchange(go_seen_, pushes).value_or(pushes) == pushes ? std::nullopt : std::optional(marked_);
+}
+
+// A press that takes something marks it too, so that the screen shows what was meant.
+// All three are read at each look, so that none counts a press of long ago.
+std::optional<Choosable> Menu::Read(const board::Stamped<board::Keys>& keys,
+                                    const board::Stamped<board::Surface>& surface,
+                                    const board::Stamped<board::Lines>& lines) {
+  const auto by_key = ReadKeys(keys), by_button = ReadButtons(surface), by_go = ReadGo(lines);
+  const auto taken = by_key ? by_key : by_button ? by_button : by_go;
+  if (!taken || *taken >= choices_.size()) return std::nullopt;
+  marked_ = *taken;
+  return choices_[*taken];
+}
+
+// The list stays below each message, so that the next one can be taken while the last result is read.
+std::vector<std::string> Menu::Lines(Message message, Language language, const std::string& name,
+                                     const std::string& detail) const {
+  std::vector<std::string> lines{Say(message, language, name, detail)};
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    const Choosable& choice = choices_[i];
+    const char* kind = choice.kind == Choosable::Kind::kShow ? "" : "key ";
+    lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + kind + choice.offer.name +
+                    "  " + choice.remark);
+  }
+  return lines;
+}
+
+}  // namespace kaori::shows

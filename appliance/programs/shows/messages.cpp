@@ -1,0 +1,68 @@
+#include "appliance/programs/shows/messages.h"
+
+namespace kaori::shows {
+namespace {
+
+struct Row {
+  std::string_view english, japanese;
+};
+
+// In the order of Message. What went wrong first, then what the person does next.
+constexpr std::array<Row, kMessageCount> kTable{{
+    {"plug a stick in", "スティックを差してください"},
+    {"there is no show on the stick; shows are files that end in .kaori",
+     "スティックにショーがありません。ショーは .kaori で終わるファイルです"},
+    {"take a show by its number, or the marked one by GO",
+     "番号で選ぶか、印の付いたショーをGOで入れてください"},
+    {"it is being copied; leave the stick where it is", "コピーしています。スティックを抜かないでください"},
+    {"it is being checked and tried; the stick can go", "確認しています。スティックは抜いて構いません"},
+    {"it is on the box and plays now", "入りました。このショーを再生します"},
+    {"it is on the box already and is the chosen show", "すでに入っていて、選ばれています"},
+    {"this key is on the box now: shows that it signed will play",
+     "鍵が入りました。この鍵で署名したショーを再生できます"},
+    {"this is no show; make it with ./box show push", "ショーのファイルではありません。作り直してください"},
+    {"it is damaged; copy it to the stick again", "壊れています。もう一度スティックにコピーしてください"},
+    {"its end is missing; copy it to the stick again",
+     "途中で切れています。もう一度スティックにコピーしてください"},
+    {"it is not signed; sign it with the company's key", "署名がありません。劇団の鍵で署名してください"},
+    {"this box does not trust its signer; bring the key of whoever signed it",
+     "署名した人の鍵がこの箱にありません。鍵を入れてください"},
+    {"this box trusts no key yet; bring the company's public key",
+     "この箱には鍵がまだありません。劇団の公開鍵を入れてください"},
+    {"it is too large for a box", "大きすぎて、この箱には入りません"},
+    {"it was made by newer tools; update the box, or pack it with older ones",
+     "新しい道具で作られています。箱を更新するか、古い道具で作り直してください"},
+    {"it was made by older tools; pack it again", "古い道具で作られています。作り直してください"},
+    {"there is no room on the box", "箱に空きがありません"},
+    {"the stick was pulled out or cannot be read; take it again",
+     "スティックが抜けたか、読めません。もう一度入れてください"},
+    {"the stick cannot be read: it has to be FAT32 or exFAT",
+     "スティックを読めません。FAT32かexFATにしてください"},
+    {"the box's own disk cannot be written; show this to whoever looks after the box",
+     "箱のディスクに書けません。担当者に知らせてください"},
+    {"it does not play on this box; what played before goes on",
+     "この箱では再生できません。前のショーを続けます"},
+    {"the service key was turned back before it was on the box; take it again",
+     "入る前にサービスキーが戻されました。もう一度入れてください"},
+}};
+
+}  // namespace
+
+std::string_view Words(Message message, Language language) {
+  const Row& row = kTable[static_cast<std::size_t>(message)];
+  return language == Language::kEnglish ? row.english : row.japanese;
+}
+
+bool IsRefusal(Message message) {
+  return message >= Message::kNotAShow || message == Message::kNoShow;
+}
+
+std::string Say(Message message, Language language, std::string_view name, std::string_view detail) {
+  std::string text(name);
+  if (!text.empty()) text += ": ";
+  text += Words(message, language);
+  if (!detail.empty()) text += " (" + std::string(detail) + ")";
+  return text;
+}
+
+}  // namespace kaori::shows

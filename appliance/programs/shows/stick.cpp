@@ -1,0 +1,57 @@
+#include "appliance/programs/shows/stick.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace kaori::shows {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 40;
+constexpr std::size_t kMostLookedAt =
+    4096;  // Entries of the folder; a damaged one may seem to have any number.
+
+// One pass, without opening any of the files: kinds and lengths are those of the folder's entries. A file whose length cannot be
+// read is listed with none, and refused when it is taken.
+Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extension) {
+  std::error_code error;
+  std::vector<Offer> offers;
+  std::size_t seen = 0;
+  for (fs::directory_iterator it(stick, error), end; !error && it != end && seen < kMostLookedAt;
+       it.increment(error), ++seen) {
+    const fs::path& file = it->path();
+    std::error_code odd;
+    if (file.extension() != extension || file.filename().string().starts_with('.')) continue;
+    if (!fs::is_regular_file(it->symlink_status(odd))) continue;
+    const std::uint64_t bytes = it->file_size(odd);
+    offers.push_back(
+        {.file = file, .name = Printable(file.stem().string(), kLongestName), .bytes = odd ? 0 : bytes});
+  }
+  if (error) return Fail(static_cast<std::errc>(error.value()), "read the stick " + stick.string());
+  std::ranges::sort(offers, {}, &Offer::name);
+  if (offers.size() > kMostOffers) offers.resize(kMostOffers);
+  return offers;
+}
+
+}  // namespace
+
+// ASCII alone: another letter may be cut in its middle.
+std::string Printable(std::string text, std::size_t most) {
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
+  constexpr std::string_view kCut = "...";
+  if (text.size() > most) text = text.substr(0, most - kCut.size()).append(kCut);
+  return text;
+}
+
+// Ends of names in small letters: the drivers of FAT and exFAT give names as they were written.
+Result<std::vector<Offer>> ListShows(const fs::path& stick) {
+  return List(stick, ".kaori");
+}
+
+Result<std::vector<Offer>> ListKeys(const fs::path& stick) {
+  return List(stick, ".pub");
+}
+
+}  // namespace kaori::shows

@@ -1,0 +1,69 @@
+#include "appliance/programs/shows/stick_mount.h"
+
+#include <sys/mount.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace kaori::shows {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where the kernel's list points to: the path of a device below its bus.
+bool IsOnUsb(const fs::path& entry) {
+  std::error_code none;
+  return fs::canonical(entry, none).string().find("/usb") != std::string::npos;
+}
+
+// The kernel gives a partition a file with its number, and a whole disk none.
+bool IsPartition(const fs::path& entry) {
+  std::error_code none;
+  return fs::exists(entry / "partition", none);
+}
+
+// A partition is a folder within its disk's.
+bool HasPartitions(const fs::path& entry) {
+  std::error_code none;
+  const std::string name = entry.filename().string();
+  for (fs::directory_iterator it(fs::canonical(entry, none), none), end; !none && it != end;
+       it.increment(none))
+    if (it->path().filename().string().starts_with(name) && IsPartition(it->path())) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> FindSticks(const fs::path& blocks) {
+  std::error_code none;
+  std::vector<std::string> sticks;
+  for (fs::directory_iterator it(blocks, none), end; !none && it != end; it.increment(none)) {
+    if (!IsOnUsb(it->path())) continue;
+    if (IsPartition(it->path()) || !HasPartitions(it->path()))
+      sticks.push_back(it->path().filename().string());
+  }
+  std::ranges::sort(sticks);
+  return sticks;
+}
+
+// Read-only in each case: a stick is nobody's to change, and its owner may pull it at any moment.
+// exFAT first: its driver refuses FAT's boot sector and the other way round.
+Result<StickMount> StickMount::Make(const std::string& device, const fs::path& at) {
+  constexpr unsigned long kForReading = MS_RDONLY | MS_NODEV | MS_NOSUID | MS_NOEXEC | MS_NOATIME;
+  int failed = EINVAL;
+  for (const char* kind : {"exfat", "vfat"}) {
+    if (::mount(device.c_str(), at.c_str(), kind, kForReading, nullptr) == 0) return StickMount(at);
+    // A driver that is missing says ENODEV; what the other one says of the stick is more useful.
+    if (errno != ENODEV) failed = errno;
+  }
+  return Fail(static_cast<std::errc>(failed), "mount the stick " + device);
+}
+
+StickMount::StickMount(StickMount&& other) noexcept : at_(std::exchange(other.at_, {})) {}
+
+// Lazily: a file that is still open on a stick that was pulled must not keep the next one out.
+StickMount::~StickMount() {
+  if (!at_.empty()) ::umount2(at_.c_str(), MNT_DETACH);
+}
+
+}  // namespace kaori::shows

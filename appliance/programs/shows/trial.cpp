@@ -1,0 +1,119 @@
+#include "appliance/programs/shows/trial.h"
+
+#include <fcntl.h>
+#include <linux/capability.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+
+#include "drivers/base/unique_fd.h"
+
+extern char** environ;  // NOLINT: POSIX declares it so.
+
+namespace kaori::shows {
+namespace {
+
+constexpr std::size_t kMostHeard_bytes = 1 << 16;
+
+// A child with its standard error in our hands.
+struct Child {
+  pid_t pid = -1;
+  UniqueFd says;
+};
+
+// Its standard output stays ours, and goes to the log as it does on a laptop. Errors: those of pipe2(2) and posix_spawn(3).
+Result<Child> Spawn(const std::string& program, const std::string& pack) {
+  std::array<int, 2> ends{-1, -1};
+  if (::pipe2(ends.data(), O_CLOEXEC) < 0) return FailErrno("start " + program);
+  Child child{.pid = -1, .says = UniqueFd(ends[0])};
+  const UniqueFd its_end(ends[1]);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, its_end.get(), STDERR_FILENO);
+  std::array<std::string, 3> words{program, "--rehearse", pack};
+  std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
+  // The loop of this program blocks SIGINT and SIGTERM; the child shall end by them.
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  const int failed =
+      ::posix_spawn(&child.pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) return Fail(static_cast<std::errc>(failed), "start " + program);
+  return child;
+}
+
+// How long to listen.
+struct Patience {
+  Time until{};
+  const std::function<bool()>& wanted;
+};
+
+// Listens until the child closes its end, the time is over, or nobody wants to know any more. Errors: timed_out,
+// operation_canceled.
+Result<std::string> Listen(const UniqueFd& says, const Patience& patience) {
+  constexpr int kAsk_ms = 100;
+  std::string heard;
+  std::array<char, 4096> piece{};
+  while (true) {
+    if (SteadyClock().now() >= patience.until) return Fail(std::errc::timed_out, "rehearse the show");
+    if (patience.wanted && !patience.wanted())
+      return Fail(std::errc::operation_canceled, "rehearse the show");
+    pollfd ready{.fd = says.get(), .events = POLLIN, .revents = 0};
+    if (::poll(&ready, 1, kAsk_ms) <= 0) continue;
+    const ssize_t got = ::read(says.get(), piece.data(), piece.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return heard;
+    if (heard.size() < kMostHeard_bytes) heard.append(piece.data(), static_cast<std::size_t>(got));
+  }
+}
+
+// Programs of the box say why they end in their last line; what stands before is their log.
+std::string LastLine(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const auto begin = text.rfind('\n');
+  return begin == std::string::npos ? text : text.substr(begin + 1);
+}
+
+}  // namespace
+
+// A program of root's gets, when it is started, all rights of the bounding set (capabilities(7)); those that this process
+// has already stay with it, so that it can drop both and mount all the same.
+Result<void> KeepRightsToOurselves() {
+  for (const unsigned long right : {CAP_SYS_ADMIN, CAP_SETPCAP}) {
+    if (::prctl(PR_CAPBSET_READ, right) != 1) continue;
+    if (::prctl(PR_CAPBSET_DROP, right) < 0 && ::geteuid() == 0)
+      return FailErrno("take the right to mount from what is started");
+  }
+  return {};
+}
+
+Result<void> TryPack(const std::string& stage, const std::filesystem::path& pack, Duration longest,
+                     const std::function<bool()>& wanted) {
+  auto child = Spawn(stage, pack.string());
+  if (!child) return tl::unexpected(child.error());
+  const auto heard = Listen(child->says, {SteadyClock().now() + longest, wanted});
+  if (!heard) ::kill(child->pid, SIGKILL);
+  int status = 0;
+  while (::waitpid(child->pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!heard) return tl::unexpected(heard.error());
+  if (WIFSIGNALED(status))
+    return Fail(std::errc::interrupted,
+                "rehearse the show: signal " + std::to_string(WTERMSIG(status)) + " ended it");
+  if (WEXITSTATUS(status) != 0)
+    return FailInput(heard->empty() ? "it cannot be rehearsed" : LastLine(*heard));
+  return {};
+}
+
+}  // namespace kaori::shows

@@ -1,0 +1,231 @@
+// A company's own show comes by a stick while the service key is on; without the key a stick is dead.
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/strategy.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::minutes;
+using std::chrono::seconds;
+
+constexpr Duration kStickAnswer = seconds(60);
+constexpr Duration kLongestReading = seconds(240);  // The kernel waits before it asks a stick; so does udev.
+constexpr Duration kLongestInstalling = minutes(20);  // At the lowest priority, beside a face that wants all.
+constexpr Duration kLongestChange = minutes(5);       // Until the stage draws with another show.
+constexpr Duration kRateSpan = seconds(20);
+constexpr int kStickKey = 2;                      // A line of the bridge, as docs/image.md wires it.
+constexpr std::uint8_t kOne = 0x1E, kTwo = 0x1F;  // Keys, HID page 7.
+constexpr const char* kSaid = "read /run/kaori-shows/lines";
+constexpr const char* kStickNumber =
+    "46f4:0001 ";  // QEMU's vendor and product; behind it whether it is authorised.
+constexpr std::string_view kIsOn = "it is on the box and plays now";
+
+// A small screen, so that the face leaves the trial something of the processors. With a disk of its own what is installed is
+// kept over a start; without one the image's is used, and stays as it ships.
+Setup StickSetup(const std::string& disk) {
+  return {.sound = false, .keeps_disk = !disk.empty(), .width_px = 480, .height_px = 270, .disk = disk};
+}
+
+// What the agent answers; empty where there is no such file, or no answer in time: whoever asks again sees the next one.
+std::string TextInBox(Scene& scene, const std::string& question) {
+  return scene.target.agent().Ask(question, kStickAnswer).value_or("");
+}
+
+// Errors: invalid_argument, the box says something else; with what it says.
+Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest) {
+  std::string said;
+  const auto says = [&] {
+    said = TextInBox(scene, kSaid);
+    return said.find(words) != std::string::npos;
+  };
+  if (scene.target.Until(says, longest)) return {};
+  return FailInput(fmt::format("the box does not say \"{}\" of the stick, but \"{}\"", words, said));
+}
+
+// Where the rig leaves a port free, as for unauthorised devices: one at a time.
+Result<void> Plug(Scene& scene, const char* stick) {
+  return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick);
+}
+
+// Presses a key until the box says what it should of it: it may have looked at the keys for the last time just before.
+Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
+  constexpr int kMostPresses = 3;
+  Result<void> said;
+  for (int n = 0; n < kMostPresses; ++n) {
+    scene.target.For(seconds(3));
+    scene.target.rig().devices().keyboard.Press(key);
+    scene.target.For(std::chrono::milliseconds(300));
+    scene.target.rig().devices().keyboard.Release(key);
+    said = WantStickSaid(scene, words, seconds(60));
+    if (said) break;
+  }
+  return said;
+}
+
+// How many frames a second the stage presents, between two looks at the board; 0 where they do not tell.
+double Rate(const Result<BoardView>& from, const Result<BoardView>& to) {
+  if (!from || !to || to->now_ns <= from->now_ns || to->stage.frames < from->stage.frames) return 0;
+  return 1e9 * (to->stage.frames - from->stage.frames) / static_cast<double>(to->now_ns - from->now_ns);
+}
+
+// Until the show is on the box. The stage counts anew when it starts with the show: what it counted last before that is the
+// end of the span.
+Result<void> InstallUnderPlay(Scene& scene) {
+  const auto first = scene.target.Board();
+  scene.target.For(kRateSpan);
+  const auto began = scene.target.Board();
+  if (auto ok = PressFor(scene, kOne, "evening: it "); !ok) return ok;
+  auto last = began;
+  std::string said;
+  const auto is_on = [&] {
+    said = TextInBox(scene, kSaid);
+    auto board = scene.target.Board();
+    if (board && last && board->stage.frames >= last->stage.frames) last = std::move(board);
+    return said.find(kIsOn) != std::string::npos;
+  };
+  if (!scene.target.Until(is_on, kLongestInstalling))
+    return FailInput("the show is not installed, but the box says \"" + said + "\"");
+  const double before = Rate(first, began), during = Rate(began, last);
+  if (before > 0) scene.finding.figures["install_under_play_rate"] = during / before;
+  if (began && last)
+    scene.finding.figures["install_s"] = 1e-9 * static_cast<double>(last->now_ns - began->now_ns);
+  return {};
+}
+
+// The id of the chosen show. Errors: invalid_argument, none is chosen.
+Result<std::string> ChosenId(Scene& scene) {
+  const std::string choice = TextInBox(scene, "read /var/lib/kaori/shows/choice.1");
+  constexpr std::string_view kWord = "\ncurrent ";
+  const std::size_t at = choice.find(kWord);
+  if (at == std::string::npos) return FailInput("no show is chosen on the box");
+  const std::size_t begin = at + kWord.size();
+  return choice.substr(begin, choice.find('\n', begin) - begin);
+}
+
+// The stage has begun to play it, and draws.
+Result<void> WantPlayed(Scene& scene, const std::string& id) {
+  const auto noted = [&] {
+    return TextInBox(scene, "read /run/kaori/plays").find("playing " + id) != std::string::npos;
+  };
+  if (!scene.target.Until(noted, kLongestChange)) return FailInput("the stage does not play the chosen show");
+  const auto now = scene.target.Board();
+  const auto draws = [&](const BoardView& board) {
+    return board.stage.live && board.stage.frames > 1 && (!now || board.stage.read_ns > now->now_ns);
+  };
+  if (auto seen = scene.target.UntilBoard(draws, kLongestChange, "see the chosen show drawn"); !seen)
+    return tl::unexpected(seen.error());
+  return {};
+}
+
+// The image knows no key, so that the way of a guest is tried, which has all the steps of the others and one more.
+// A show of nobody whom the box knows, then the key of whoever signed it, then the show.
+Result<void> BringShow(Scene& scene) {
+  if (auto ok = Plug(scene, "evening.stick"); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "> 1  evening  ", kLongestReading); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "  2  key theatre  ", seconds(5)); !ok) return ok;
+  if (auto ok = PressFor(scene, kOne, "evening: this box "); !ok) return ok;
+  if (auto ok = PressFor(scene, kTwo, "theatre: this key is on the box now"); !ok) return ok;
+  return InstallUnderPlay(scene);
+}
+
+// Another show of the same theatre, with some bytes changed: it is copied, and refused; what plays goes on.
+Result<void> WantDamagedRefused(Scene& scene, const std::string& id) {
+  if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
+  if (auto ok = Plug(scene, "damaged.stick"); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "> 1  matinee  ", kLongestReading); !ok) return ok;
+  if (auto ok = PressFor(scene, kOne, "matinee: it "); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "matinee: it is damaged", kLongestInstalling); !ok) return ok;
+  const auto chosen = ChosenId(scene);
+  if (!chosen) return tl::unexpected(chosen.error());
+  if (*chosen != id) return FailInput("the damaged show is chosen");
+  return WantPlayed(scene, id);
+}
+
+// The lines go with kaori-shows; the kernel is told by udev once that has ended.
+// Nothing is said of it any more, and the kernel has let it go.
+Result<void> WantDead(Scene& scene) {
+  const auto dead = [&] {
+    return TextInBox(scene, kSaid).empty() &&
+           TextInBox(scene, "usb").find(std::string(kStickNumber) + "0") != std::string::npos;
+  };
+  return scene.target.Until(dead, kLongestReading)
+             ? Result<void>{}
+             : FailInput("the stick is alive after the key was turned back");
+}
+
+// The key is turned off in each case, since the next check finds the bridge as it was left.
+Result<std::string> BringBoth(Scene& scene) {
+  scene.target.rig().gpio().Close(kStickKey);
+  Result<std::string> id;
+  auto ok = BringShow(scene);
+  if (ok) id = ChosenId(scene);
+  if (ok && !id) ok = tl::unexpected(id.error());
+  if (ok) ok = WantPlayed(scene, *id);
+  if (ok) ok = WantDamagedRefused(scene, *id);
+  scene.target.rig().gpio().Open(kStickKey);
+  if (ok) ok = WantDead(scene);
+  if (ok) ok = scene.ShootFace("stick", "A company's own show, which a stick brought");
+  static_cast<void>(scene.target.machine().PullUnauthorised());
+  if (!ok) return tl::unexpected(ok.error());
+  return id;
+}
+
+// Two starts of one disk, which is a copy and removed in each case. The second start shows what was really kept: memory, in which
+// the stage is told of a choice, is gone with the power.
+Result<void> Stick(Scene& scene) {
+  const QemuOptions& options = scene.target.machine().options();
+  if (!std::filesystem::exists(options.sticks + "/evening.stick"))
+    return scene.Skip("there are no sticks to plug in; --sticks names their folder");
+  const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "brought.disk", "data");
+  if (!disk) return tl::unexpected(disk.error());
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(StickSetup(disk->file));
+  const auto id = ok ? BringBoth(scene) : Result<std::string>(tl::unexpected(ok.error()));
+  if (!id) ok = tl::unexpected(id.error());
+  box.Off();
+  // It is what plays when the power is back.
+  if (ok) ok = box.Play(StickSetup(disk->file));
+  if (ok) ok = WantPlayed(scene, *id);
+  box.Off();
+  std::filesystem::remove(disk->file);
+  scene.finding.said = fmt::format(
+      "a show and its key were brought and the show played, also after the power was off; a damaged one was "
+      "refused; the face kept {:.2f} of its rate meanwhile",
+      scene.finding.figures["install_under_play_rate"]);
+  return ok;
+}
+
+// The control: with the key off the same stick is dead, and nothing is read of it.
+Result<void> NothingIsReadWithoutTheKey(Scene& scene) {
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(StickSetup(""));
+  if (ok) ok = Plug(scene, "evening.stick");
+  if (ok)
+    ok = WantFoundWrong(WantStickSaid(scene, "evening", seconds(60)), "a stick is read without the key");
+  if (ok) ok = WantDead(scene);
+  static_cast<void>(scene.target.machine().PullUnauthorised());
+  box.Off();
+  return ok;
+}
+
+}  // namespace
+
+std::vector<Check> StickChecks() {
+  return {{"stick",
+           "A show that a stick brings while the service key is on is played, and a damaged one is refused",
+           false,
+           Stick,
+           StickSetup(""),
+           {},
+           NothingIsReadWithoutTheKey,
+           true}};
+}
+
+}  // namespace kaori::hil

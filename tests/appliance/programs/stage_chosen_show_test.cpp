@@ -1,0 +1,137 @@
+// Which show a stage plays, and what a rehearsal finds.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "appliance/programs/stage/chosen_show.h"
+#include "appliance/programs/stage/rehearsal.h"
+#include "drivers/base/whole_file.h"
+#include "tests/appliance/core/pack_fixture.h"
+
+namespace kaori::stage {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+namespace fs = std::filesystem;
+
+class ChosenShowTest : public tests::PackTest {
+ protected:
+  ChosenShowTest() {
+    fs::create_directories(folder_ / "root/keys");
+    fs::create_directories(folder_ / "shows");
+    EXPECT_TRUE(SaveKey(company_, folder_ / "root/keys/company"));
+    Put(folder_ / "root/kaori.kaori", "of the root", nullptr);
+  }
+  void Put(const fs::path& file, const std::string& name, const show::SecretKey* signer) const {
+    show::Show show = tests::SmallShow();
+    show.name = name;
+    EXPECT_TRUE(show::SavePack(show, file, signer));
+  }
+  void PutShow(char id, const std::string& name, const show::SecretKey* signer) const {
+    Put(folder_ / "shows" / store::PackName(std::string(64, id)), name, signer);
+  }
+  void Choose(std::uint64_t generation, char current, char previous) const {
+    const std::string text =
+        store::Format(store::Choice{generation, std::string(64, current), std::string(64, previous)});
+    EXPECT_TRUE(WriteWholeFile(folder_ / "shows" / store::kChoiceFiles[generation % 2], {AsBytes(text)}));
+  }
+  std::string Played() {
+    now_ += 1s;
+    const auto chosen = LoadChosen(places_, now_);
+    another_ = chosen && chosen->another;
+    return chosen ? chosen->show.name : chosen.error().message();
+  }
+
+  const show::SecretKey company_ = show::MakeKey().value(), foreign_ = show::MakeKey().value();
+  const ShowPlaces places_{.root_pack = folder_ / "root/kaori.kaori",
+                           .shows = folder_ / "shows",
+                           .keys = folder_ / "settings/keys",
+                           .play_log = folder_ / "plays",
+                           .chosen = folder_ / "chosen"};
+  Time now_ = Time{} + 1000s;
+  bool another_ = false;
+};
+
+TEST_F(ChosenShowTest, IsTheRootsWhereNoneWasChosen) {
+  EXPECT_EQ(Played(), "of the root");
+}
+
+TEST_F(ChosenShowTest, IsTheChosenOneAndAnotherThanBeforeOnce) {
+  EXPECT_EQ(Played(), "of the root");
+  NoteOrderlyEnd(places_);
+  PutShow('a', "evening", &company_);
+  Choose(1, 'a', 'b');
+  EXPECT_EQ(Played(), "evening");
+  EXPECT_TRUE(another_);
+  EXPECT_EQ(Played(), "evening");
+  EXPECT_FALSE(another_);
+}
+
+TEST_F(ChosenShowTest, ThatIsDamagedMissingOrNotTrustedIsPassedOver) {
+  PutShow('b', "matinee", &company_);
+  Choose(1, 'a', 'b');
+  EXPECT_EQ(Played(), "matinee") << "there is no file";
+  PutShow('a', "evening", &foreign_);
+  EXPECT_EQ(Played(), "matinee") << "signed by somebody else";
+  PutShow('a', "evening", &company_);
+  EXPECT_EQ(Played(), "evening");
+  NoteOrderlyEnd(places_);
+  fs::resize_file(folder_ / "shows" / store::PackName(std::string(64, 'a')), 5000);
+  EXPECT_EQ(Played(), "matinee") << "cut off";
+}
+
+TEST_F(ChosenShowTest, GivesWayWhereItEndsTheStageThreeTimes) {
+  PutShow('a', "evening", &company_);
+  PutShow('b', "matinee", &company_);
+  Choose(1, 'a', 'b');
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Played(), "evening");
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Played(), "matinee");
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(Played(), "of the root");
+}
+
+TEST_F(ChosenShowTest, GivesWayWhereItIsNeverSeenForLong) {
+  PutShow('a', "evening", &company_);
+  Choose(1, 'a', 'b');
+  for (int i = 0; i < 3; ++i, now_ += 125s) EXPECT_EQ(Played(), "evening");
+  EXPECT_EQ(Played(), "of the root");
+}
+
+TEST_F(ChosenShowTest, ThatHasBeenSeenForAMinuteIsNotToBlameForALaterEnd) {
+  PutShow('a', "evening", &company_);
+  Choose(1, 'a', 'b');
+  for (int i = 0; i < 6; ++i, now_ += 125s) {
+    EXPECT_EQ(Played(), "evening");
+    ShowWatch watch(places_, 1, now_);
+    EXPECT_FALSE(watch.IsOver(now_ + 59s));
+    EXPECT_FALSE(watch.IsOver(now_ + 60s));
+  }
+}
+
+TEST_F(ChosenShowTest, IsOverOnceAnotherOneIsChosen) {
+  ShowWatch watch(places_, 2, now_);
+  EXPECT_FALSE(watch.IsOver(now_)) << "nothing was said";
+  std::ofstream(places_.chosen) << "2\n";
+  EXPECT_FALSE(watch.IsOver(now_));
+  std::ofstream(places_.chosen) << "3\n";
+  EXPECT_TRUE(watch.IsOver(now_));
+}
+
+// Else the stage would end at each start, for ever.
+TEST_F(ChosenShowTest, IsNotWaitedForWhereTheDiskHasLostTheChoice) {
+  std::ofstream(places_.chosen) << "7\n";
+  const auto chosen = LoadChosen(places_, now_);
+  ASSERT_TRUE(chosen);
+  EXPECT_FALSE(ShowWatch(places_, chosen->generation, now_).IsOver(now_));
+}
+
+TEST(Rehearsal, PassesAShowAndRefusesOneInWhichNothingIsSeen) {
+  EXPECT_TRUE(Rehearse(tests::SmallShow()));
+  show::Show dark = tests::SmallShow();
+  for (auto& each : dark.scenes) each.exposure = 0;
+  const auto refused = Rehearse(std::move(dark));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message(), "nothing is seen in any of the show's scenes");
+}
+
+}  // namespace
+}  // namespace kaori::stage

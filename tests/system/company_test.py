@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""A company's own show, by the programs themselves: a key, a signature, the installation on a box's folder, and shows
+that must be refused.
+
+Usage: company_test.py BIN PACK GUIDE REPORT.json     BIN holds the programs; PACK is a show; GUIDE is docs/guide/box.md
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+NEWER = 99
+VERSION_AT = 8
+TOO_LARGE_BYTES = 2 << 30
+REFUSED = 1
+
+
+def install(programs, box, pack):
+    return subprocess.run([programs / "kaori-shows", "--install", pack, "--shows", box / "shows", "--root-keys", box / "keys",
+                           "--keys", box / "brought", "--stage", programs / "kaori-stage"],
+                          capture_output=True, text=True, check=False)
+
+
+def chosen(box):
+    texts = [path.read_text() for path in sorted((box / "shows").glob("choice.*"))]
+    return max(texts, key=lambda text: int(re.search(r"generation (\d+)", text)[1]), default="")
+
+
+def changed(good, name, change):
+    """A copy of a good show with one thing wrong."""
+    bad = good.with_name(name + ".kaori")
+    data = bytearray(good.read_bytes())
+    bad.write_bytes(change(data) or data)
+    return bad
+
+
+def bad_shows(good, unsigned, foreign):
+    """Name, file, and what is said of it."""
+    def newer(data):
+        data[VERSION_AT] = NEWER
+
+    def flipped(data):
+        data[len(data) // 2] ^= 1
+
+    large = good.with_name("large.kaori")
+    large.write_bytes(good.read_bytes()[:4096])
+    os.truncate(large, TOO_LARGE_BYTES)
+    return (("unsigned", unsigned, "it is not signed"),
+            ("foreign", foreign, "does not trust its signer"),
+            ("newer", changed(good, "newer", newer), "made by newer tools"),
+            ("flipped", changed(good, "flipped", flipped), "it is damaged"),
+            ("short", changed(good, "short", lambda data: data[:-1000]), "its end is missing"),
+            ("text", changed(good, "text", lambda data: b"no show at all"), "this is no show"),
+            ("large", large, "too large for a box"))
+
+
+def main():
+    programs, pack, guide, report = (Path(word).resolve() for word in sys.argv[1:])
+    faults, refused = [], 0
+    author = programs / "kaori-atelier"
+    with tempfile.TemporaryDirectory() as folder:
+        box = Path(folder)
+        for name in ("shows", "keys", "stick"):
+            (box / name).mkdir()
+
+        def signed(name):
+            subprocess.run([author, "keygen", box / f"{name}.key"], check=True, capture_output=True)
+            copy = box / "stick" / f"{name}.kaori"
+            copy.write_bytes(pack.read_bytes())
+            subprocess.run([author, "sign", copy, box / f"{name}.key"], check=True, capture_output=True)
+            return copy
+
+        good, foreign = signed("company"), signed("foreign")
+        (box / "company.key.pub").rename(box / "keys" / "company.pub")
+        for name, bad, words in bad_shows(good, pack, foreign):
+            done = install(programs, box, bad)
+            if done.returncode == REFUSED and words in done.stderr and not chosen(box):
+                refused += 1
+            else:
+                faults.append(f"{name}: status {done.returncode}, said {done.stderr!r}")
+        done = install(programs, box, good)
+        installed = int(done.returncode == 0 and "plays now" in done.stdout)
+        if not installed:
+            faults.append(f"a good show is refused: {done.stderr}")
+        before = chosen(box)
+        identity = re.search(r"current ([0-9a-f]{64})", before)
+        if not identity or (box / "shows" / f"{identity[1]}.kaori").read_bytes() != good.read_bytes():
+            faults.append(f"what was installed is not what was signed: {before!r}")
+        left = sorted(path.name for path in (box / "shows").iterdir())
+        if len(left) != 2:
+            faults.append(f"more is left than a show and the choice: {left}")
+    block = re.search(r"\n\n((?:    \./box [^\n]+\n)+)", guide.read_text())[1]
+    figures = {"shows_installed": installed, "bad_shows_refused": refused, "commands_to_own_show": len(block.splitlines())}
+    known = json.loads(report.read_text()) if report.exists() else {}
+    report.parent.mkdir(parents=True, exist_ok=True)
+    report.write_text(json.dumps(known | figures, indent=2) + "\n")
+    print(figures)
+    if faults:
+        sys.exit("\n".join(faults))
+
+
+main()
