@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
 namespace {
@@ -170,12 +171,13 @@ Result<void> Crossed(Scene& scene) {
 Result<void> PulledBox(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
-  static_cast<void>(scene.target.rig().Unplug("dial-box"));
-  const auto gone = [&](const BoardView& b) { return !b.surface_live && b.counts == before->counts; };
-  if (auto ok = scene.target.UntilBoard(gone, kLongest, "see the box gone and its dials where they were");
-      !ok)
-    return tl::unexpected(ok.error());
-  static_cast<void>(scene.target.rig().Plug("dial-box"));
+  {
+    const UnpluggedDevice box(scene, "dial-box");
+    const auto gone = [&](const BoardView& b) { return !b.surface_live && b.counts == before->counts; };
+    if (auto ok = scene.target.UntilBoard(gone, kLongest, "see the box gone and its dials where they were");
+        !ok)
+      return tl::unexpected(ok.error());
+  }
   const auto back = [&](const BoardView& b) {
     return b.surface_live && b.counts == before->counts &&
            // The lamps of a box that lost its power are dark: somebody must light them again.

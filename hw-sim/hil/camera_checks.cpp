@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
 namespace {
@@ -44,11 +45,12 @@ Result<void> Camera(Scene& scene) {
 }
 
 Result<void> CameraPulled(Scene& scene) {
-  static_cast<void>(scene.target.rig().Unplug("camera"));
-  const auto gone = [](const BoardView& board) { return !board.lips_live; };
-  if (auto ok = scene.target.UntilBoard(gone, kCameraLongest, "see the camera gone"); !ok)
-    return tl::unexpected(ok.error());
-  static_cast<void>(scene.target.rig().Plug("camera"));
+  {
+    const UnpluggedDevice camera(scene, "camera");
+    const auto gone = [](const BoardView& board) { return !board.lips_live; };
+    if (auto ok = scene.target.UntilBoard(gone, kCameraLongest, "see the camera gone"); !ok)
+      return tl::unexpected(ok.error());
+  }
   const Time plugged = scene.target.clock().now();
   const auto back = [](const BoardView& board) { return board.lips_live && board.lips_quality > 0.5; };
   if (auto ok = scene.target.UntilBoard(back, kCameraLongest, "see the lips again"); !ok)

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "hw-sim/hil/paused_unit.h"
+#include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
 namespace {
@@ -24,21 +25,8 @@ constexpr const char* kInputUnit = "kaori-input.service";
 // In a control nothing is expected to come, so waiting long would only cost time.
 constexpr Duration kControlPatience = std::chrono::seconds(20);
 
-// Plugs a device in again when it goes. Two seconds are enough for the box to notice the loss.
-class UnpluggedDevice {
- public:
-  UnpluggedDevice(Scene& scene, std::string name) : scene_(scene), name_(std::move(name)) {
-    static_cast<void>(scene_.target.rig().Unplug(name_));
-    scene_.target.For(std::chrono::seconds(2));
-  }
-  ~UnpluggedDevice() { static_cast<void>(scene_.target.rig().Plug(name_)); }
-  UnpluggedDevice(const UnpluggedDevice&) = delete;
-  UnpluggedDevice& operator=(const UnpluggedDevice&) = delete;
-
- private:
-  Scene& scene_;
-  std::string name_;
-};
+// Enough for the box to notice that a device is gone.
+constexpr Duration kNoticesLoss = std::chrono::seconds(2);
 
 // Either is undone by its destructor.
 using Withdrawn = std::variant<std::monostate, PausedUnit, UnpluggedDevice>;
@@ -46,7 +34,7 @@ using Withdrawn = std::variant<std::monostate, PausedUnit, UnpluggedDevice>;
 // Stops a unit or unplugs a device until the result goes.
 Withdrawn Withdraw(Scene& scene, const std::string& what) {
   if (what.ends_with(".service")) return Withdrawn(std::in_place_type<PausedUnit>, scene, what);
-  return Withdrawn(std::in_place_type<UnpluggedDevice>, scene, what);
+  return Withdrawn(std::in_place_type<UnpluggedDevice>, scene, what, kNoticesLoss);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
 namespace {
@@ -110,10 +111,11 @@ Result<void> PlayByLibusb(Scene& scene) {
   if (auto ok = AllFound(scene); !ok) return ok;
   for (const auto& part : {Dials, ButtonsAndLamps, Sticks, KeysAndPointer})
     if (auto ok = part(scene); !ok) return ok;
-  for (const char* name : {"stick-left", "dial-box"}) static_cast<void>(scene.target.rig().Unplug(name));
-  const auto gone = [](const BoardView& board) { return !board.surface_live && !board.left.live; };
-  if (auto ok = scene.target.UntilBoard(gone, kLongestFind, "see two devices gone"); !ok) return Ok(ok);
-  for (const char* name : {"stick-left", "dial-box"}) static_cast<void>(scene.target.rig().Plug(name));
+  {
+    const UnpluggedDevice stick(scene, "stick-left"), box(scene, "dial-box");
+    const auto gone = [](const BoardView& board) { return !board.surface_live && !board.left.live; };
+    if (auto ok = scene.target.UntilBoard(gone, kLongestFind, "see two devices gone"); !ok) return Ok(ok);
+  }
   if (auto ok = AllFound(scene); !ok) return ok;
   return Sticks(scene);
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
 namespace {
@@ -145,10 +146,8 @@ Result<EventTimes> ShakeUntilSeen(Scene& scene) {
 // as they are. Too few flips are a skip.
 Result<void> Latency(Scene& scene) {
   constexpr std::size_t kLeastFlips = 4;
-  static_cast<void>(scene.target.rig().Unplug("camera"));  // Its pictures cost an emulated machine much.
-  scene.target.For(seconds(5));
+  const UnpluggedDevice camera(scene, "camera", seconds(5));  // Its pictures cost an emulated machine much.
   const auto moments = ShakeUntilSeen(scene);
-  static_cast<void>(scene.target.rig().Plug("camera"));
   if (!moments) return tl::unexpected(moments.error());
   if (moments->arrived_ns.empty()) return FailInput("no event came to the board");
   const Latencies ways = LatenciesOf(*moments);

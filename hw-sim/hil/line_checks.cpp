@@ -3,6 +3,7 @@
 
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/picture.h"
+#include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
 namespace {
@@ -121,11 +122,12 @@ Result<void> Lines(Scene& scene) {
 // A cable of its own is pulled and plugged: the lines are requested again, and the lamp.
 Result<void> LinesPulled(Scene& scene) {
   if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
-  static_cast<void>(scene.target.rig().Unplug("gpio"));
-  const auto gone = [](const BoardView& board) { return !board.lines_live; };
-  if (auto ok = scene.target.UntilBoard(gone, kLineLongest, "see the bridge gone"); !ok)
-    return tl::unexpected(ok.error());
-  static_cast<void>(scene.target.rig().Plug("gpio"));
+  {
+    const UnpluggedDevice bridge(scene, "gpio");
+    const auto gone = [](const BoardView& board) { return !board.lines_live; };
+    if (auto ok = scene.target.UntilBoard(gone, kLineLongest, "see the bridge gone"); !ok)
+      return tl::unexpected(ok.error());
+  }
   const Time plugged = scene.target.clock().now();
   const auto back = [](const BoardView& board) { return board.lines_live; };
   if (auto ok = scene.target.UntilBoard(back, kLineLongest, "see the bridge again"); !ok)

@@ -118,7 +118,7 @@ TEST_F(AgentActions, WriteIntoFilesThatAreThereAndMakeNone) {
   std::ofstream(Path("freeze")) << "0";
   const UniqueFd root(::open(folder_.c_str(), O_PATH | O_DIRECTORY));
   EXPECT_TRUE(agent::WriteIn(root.get(), "/freeze", "1"));
-  EXPECT_EQ(agent::ReadIn(root.get(), "/freeze"), "1");
+  EXPECT_EQ(agent::ReadIn(root.get(), "/freeze"), "1\n");
   EXPECT_FALSE(agent::WriteIn(root.get(), "/nothing", "1"));
 }
 

@@ -131,7 +131,8 @@ Result<std::string> WriteIn(int root, const std::string& path, const std::string
   const UniqueFd fd(
       ::openat(root, path.c_str() + (from == std::string::npos ? 0 : from), O_WRONLY | O_CLOEXEC));
   if (!fd.valid()) return FailErrno("open " + path);
-  if (::write(fd.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+  const std::string line = text + "\n";
+  if (::write(fd.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
     return FailErrno("write " + path);
   return std::string();
 }

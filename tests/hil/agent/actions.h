@@ -38,7 +38,8 @@ class Started {
 // The first 64 KiB of a file below the root folder `root`. Errors: those of the file.
 Result<std::string> ReadIn(int root, const std::string& path);
 
-// Writes `text` into a file that is there, below the root folder `root`. Errors: those of the file.
+// Writes `text` and the end of a line into a file that is there, below the root folder `root`: Linux shows a record of
+// /dev/kmsg without that end to nobody until the next record comes. Errors: those of the file.
 Result<std::string> WriteIn(int root, const std::string& path, const std::string& text);
 
 // The numbers of the processes of that name, in the order of /proc, with blanks between; empty where there are none.

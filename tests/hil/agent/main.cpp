@@ -6,7 +6,7 @@
 //   board                        the board as JSON
 //   events MS                    what changed on it meanwhile
 //   read PATH                    a file of the box
-//   write PATH TEXT              into a file of the box that is there
+//   write PATH TEXT              a line into a file of the box that is there
 //   tool WORDS...                a program of the bench's disk
 //   own WORDS...                 a program of the box; "bench:PATH" in its words is a file of the bench's disk
 //   start WORDS...               the same, left running; its number
