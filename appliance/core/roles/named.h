@@ -14,7 +14,7 @@
 
 namespace kaori::roles {
 
-// The index of `name` among `names`, or a fault of `key` that names one which may be meant.
+// The index of `name` among `names`, or a fault of `key` that lists them all.
 template <std::size_t kCount>
 std::optional<std::size_t> IndexOf(toml::Section& section, std::string_view key, const std::string& name,
                                    const std::array<std::string_view, kCount>& names) {
