@@ -228,7 +228,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!settings.still.empty())
     if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
       return kaori::ExitWithError(written.error());
-  if (auto ok = BecomeReady(card->get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = BecomeReady(card.get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
   kaori::stage::StageStatusDisplay status_display(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
   kaori::stage::ShowWatch watch(*places, loaded.generation, clock.now());
