@@ -108,7 +108,8 @@ kaori::Result<void> Record(const Settings& settings, Simulation& simulation) {
   return {};
 }
 
-// The page's settings. The board is optional: without it the page does not say what is on stage, and calls nothing there.
+// The page's settings. The board is optional: without it the page does not say what is on stage, and calls
+// nothing there.
 kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings, Simulation& simulation) {
   const auto port = Number("--console", settings.console, 0, 65535);
   if (!port) return tl::unexpected(port.error());

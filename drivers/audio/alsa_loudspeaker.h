@@ -1,7 +1,7 @@
 // A loudspeaker through ALSA.
 //
-// What is heard when follows from the kernel's delay (snd_pcm_delay(3)): the frames that are written and not yet
-// played, those in the device's own queue included.
+// What is heard when follows from the kernel's delay (snd_pcm_delay(3)): the frames that are written and not
+// yet played, those in the device's own queue included.
 #pragma once
 
 #include <memory>

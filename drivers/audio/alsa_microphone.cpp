@@ -33,8 +33,8 @@ AlsaMicrophone::AlsaMicrophone(std::string name, const AlsaPreferences& preferen
   samples_.resize(kMostFrames * static_cast<std::size_t>(pcm_->format().channels));
 }
 
-// The block borrows `samples_` until the next Read. An error that a stream recovers from is no failure here: it
-// shows as the mark of a gap on the next block.
+// The block borrows `samples_` until the next Read. An error that a stream recovers from is no failure here:
+// it shows as the mark of a gap on the next block.
 Result<ports::SoundBlock> AlsaMicrophone::Read() {
   if (broken_) return tl::unexpected(*broken_);
   // Taken before reading: afterwards other frames are the oldest.

@@ -78,7 +78,8 @@ Result<void> LocalLoudspeaker::ReadNotes() {
   return {};
 }
 
-// A hello or a note that makes no sense breaks the loudspeaker for good: its counts would be wrong from then on.
+// A hello or a note that makes no sense breaks the loudspeaker for good: its counts would be wrong from then
+// on.
 Result<void> LocalLoudspeaker::HandlePacket(std::span<const std::uint8_t> packet) {
   // The first packet is the hello.
   if (room_frames_ == 0) {

@@ -79,8 +79,8 @@ void UnmuteCapture(snd_mixer_elem_t* element) {
     snd_mixer_selem_set_capture_volume_all(element, most);
 }
 
-// A volume that somebody set above the least stays as it is. One at the least goes to 0 dB, or to the most where
-// the mixer knows no decibels.
+// A volume that somebody set above the least stays as it is. One at the least goes to 0 dB, or to the most
+// where the mixer knows no decibels.
 void UnmutePlayback(snd_mixer_elem_t* element) {
   long least = 0, most = 0, now = 0;
   if (snd_mixer_selem_has_playback_switch(element) != 0) snd_mixer_selem_set_playback_switch_all(element, 1);

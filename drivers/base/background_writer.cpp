@@ -41,8 +41,8 @@ void BackgroundWriter::Finish() {
   changed_.wait(lock, [this, asked = asked_] { return tried_ >= asked; });
 }
 
-// The writer's own thread, until the destructor. A write that failed in part keeps busy() true and is tried again
-// after the pause, for as long as the program lives.
+// The writer's own thread, until the destructor. A write that failed in part keeps busy() true and is tried
+// again after the pause, for as long as the program lives.
 void BackgroundWriter::Run() {
   std::unique_lock lock(mutex_);
   while (true) {

@@ -17,12 +17,12 @@ namespace kaori {
 // by busy(), of their own. One thread calls the members.
 class BackgroundWriter {
  public:
-  // Writes all that was asked for until now. Returns false where something is left to write: then it is called again,
-  // no sooner than after the pause.
+  // Writes all that was asked for until now. Returns false where something is left to write: then it is
+  // called again, no sooner than after the pause.
   using Write = std::function<bool()>;
 
-  // `pause` lies between two calls of `write`, which keeps a disk that fails or wears out from being written to all the
-  // time; 0 for none.
+  // `pause` lies between two calls of `write`, which keeps a disk that fails or wears out from being written
+  // to all the time; 0 for none.
   BackgroundWriter(std::chrono::milliseconds pause, Write write);
   // Calls `write` once more where something is left, whether it succeeds or not, and waits for it.
   ~BackgroundWriter();

@@ -24,8 +24,9 @@ class EventLoop {
   // signalfd(2).
   static Result<EventLoop> Open();
 
-  // Calls `handler` whenever `fd` is readable or hung up. Borrows `fd`, which must be forgotten before it closes.
-  // Errors: those of epoll_ctl(2): file_exists (it is watched already), operation_not_permitted (a regular file).
+  // Calls `handler` whenever `fd` is readable or hung up. Borrows `fd`, which must be forgotten before it
+  // closes. Errors: those of epoll_ctl(2): file_exists (it is watched already), operation_not_permitted (a
+  // regular file).
   Result<void> Watch(int fd, Handler handler);
   // Does nothing where `fd` is not watched.
   void Forget(int fd);

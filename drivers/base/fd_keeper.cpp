@@ -31,8 +31,8 @@ Result<void> GiveToKeeper(int fd, const std::string& socket) {
   return SendPacket(keeper->get(), kHold, fd);
 }
 
-// Blocks for the answer, as programs call it once while they start; a keeper that does not answer in time is an
-// error of its own.
+// Blocks for the answer, as programs call it once while they start; a keeper that does not answer in time is
+// an error of its own.
 Result<UniqueFd> RetrieveFromKeeper(const std::string& socket) {
   const std::string attempt = "retrieve what the fd keeper holds";
   if (socket.empty()) return Fail(std::errc::no_such_device, attempt);

@@ -1,5 +1,5 @@
-// Keeps one file descriptor in another process: the program that gave it gets it back after its own end, also where
-// the service manager dropped its copy because the program was stopped.
+// Keeps one file descriptor in another process: the program that gave it gets it back after its own end, also
+// where the service manager dropped its copy because the program was stopped.
 //
 // One packet is one request: a single byte, with the descriptor beside it (SCM_RIGHTS) where one is passed.
 //   'h'   client to keeper, with a descriptor: hold this in place of what is held

@@ -21,8 +21,8 @@ enum class Severity : int {
 void SetLogName(std::string_view name);
 
 // Writes "name: line" for each line of `lines`, all of them in one write(2). Where standard error is the
-// journal (JOURNAL_STREAM names its device and inode), each line begins with "<severity>"; on a terminal, in a
-// pipe or in a file it does not. Any thread; blocks only as long as the reader of standard error does. What
+// journal (JOURNAL_STREAM names its device and inode), each line begins with "<severity>"; on a terminal, in
+// a pipe or in a file it does not. Any thread; blocks only as long as the reader of standard error does. What
 // cannot be written is lost: nobody is left to be told.
 void LogLines(Severity severity, std::string_view lines);
 

@@ -1,5 +1,5 @@
-// The service manager's watchdog (drivers/base/service.h) fed by the one loop of a program: a program whose loop hangs falls
-// silent, is killed and started anew.
+// The service manager's watchdog (drivers/base/service.h) fed by the one loop of a program: a program whose
+// loop hangs falls silent, is killed and started anew.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,13 @@
 
 namespace kaori::service {
 
-// How late the beats of a loop come that has no turn of its own and only waits for events: the pace of its machine. Pure.
+// How late the beats of a loop come that has no turn of its own and only waits for events: the pace of its
+// machine. Pure.
 class BeatPace {
  public:
-  // The time of a beat. Gives the turn that Watchdog::Beat multiplies: an eighth of the longest time between two beats of
-  // the last kWindow to 2 kWindow, this one included, but no less than Watchdog::kPeriod; zero at the first beat, where
-  // none is known.
+  // The time of a beat. Gives the turn that Watchdog::Beat multiplies: an eighth of the longest time between
+  // two beats of the last kWindow to 2 kWindow, this one included, but no less than Watchdog::kPeriod; zero
+  // at the first beat, where none is known.
   Duration See(Time now);
 
   static constexpr Duration kWindow = std::chrono::seconds(10);
@@ -28,13 +29,13 @@ class BeatPace {
   bool seen_ = false;
 };
 
-// From now on beats every Watchdog::kPeriod from the loop, as long as that lives; `turn` is asked at each beat how long a
-// turn usually takes (Watchdog::Beat). Does nothing where no manager watches this program. Errors: those of
-// EventLoop::Every.
+// From now on beats every Watchdog::kPeriod from the loop, as long as that lives; `turn` is asked at each
+// beat how long a turn usually takes (Watchdog::Beat). Does nothing where no manager watches this program.
+// Errors: those of EventLoop::Every.
 Result<void> FeedWatchdog(EventLoop& loop, std::function<Duration()> turn);
 
-// The same for a loop that only waits for events: a silence of 1.5 s is a hang, or of almost four times the longest that
-// there was lately, on a machine that is slow. `clock` outlives the loop.
+// The same for a loop that only waits for events: a silence of 1.5 s is a hang, or of almost four times the
+// longest that there was lately, on a machine that is slow. `clock` outlives the loop.
 Result<void> FeedWatchdog(EventLoop& loop, const Clock& clock);
 
 }  // namespace kaori::service

@@ -7,8 +7,9 @@
 
 namespace kaori {
 
-// The number that all of `text` is, in decimal digits and without spaces or a plus sign; none where it is anything
-// else or does not fit. A floating-point number may be an infinity or no number, which comparisons refuse.
+// The number that all of `text` is, in decimal digits and without spaces or a plus sign; none where it is
+// anything else or does not fit. A floating-point number may be an infinity or no number, which comparisons
+// refuse.
 template <class Number>
 std::optional<Number> ParseNumber(std::string_view text) {
   Number number{};

@@ -1,4 +1,5 @@
-// The options of a program: "--name VALUE" and "--switch". A wrong one is named in one line on standard error.
+// The options of a program: "--name VALUE" and "--switch". A wrong one is named in one line on standard
+// error.
 #pragma once
 
 #include <optional>
@@ -15,8 +16,8 @@ class Options {
   // `help` is the page that --help prints. All that is passed by reference must outlive Parse.
   explicit Options(std::string_view help) : help_(help) {}
 
-  // Declares an option with a value, which stays as it is where the option is not given; `needed`: it must not be
-  // empty after Parse.
+  // Declares an option with a value, which stays as it is where the option is not given; `needed`: it must
+  // not be empty after Parse.
   Options& Text(std::string_view name, std::string& value, bool needed = false);
   // Declares an option without a value; it sets `value` to true.
   Options& Switch(std::string_view name, bool& value);

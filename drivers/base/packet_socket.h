@@ -1,5 +1,5 @@
-// Unix sockets of packets (SOCK_SEQPACKET), each with one file descriptor beside it where the sender passes one
-// (SCM_RIGHTS). The simulator's local link and the fd keeper speak over them.
+// Unix sockets of packets (SOCK_SEQPACKET), each with one file descriptor beside it where the sender passes
+// one (SCM_RIGHTS). The simulator's local link and the fd keeper speak over them.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,10 @@ struct Packet {
 // All sockets are close-on-exec and no call blocks. Several threads may send on one socket: a packet is
 // never mixed with another. Both ends must be of this kind: a stream socket would glue packets together.
 
-// Listens at `path`, and replaces what lies there in one step: a peer finds the old socket or the new one. Binds at
-// `path`.new first, in place of a file or a socket that a killed owner left there; nothing stays there in any case.
-// Errors: filename_too_long (sun_path holds 107 bytes, 4 of them for ".new"), those of bind(2) and rename(2).
+// Listens at `path`, and replaces what lies there in one step: a peer finds the old socket or the new one.
+// Binds at `path`.new first, in place of a file or a socket that a killed owner left there; nothing stays
+// there in any case. Errors: filename_too_long (sun_path holds 107 bytes, 4 of them for ".new"), those of
+// bind(2) and rename(2).
 Result<UniqueFd> ListenForPackets(const std::string& path);
 
 // Accepts the next connection. Nothing is known of the peer; who may connect is decided by the rights of

@@ -149,8 +149,8 @@ Result<void> CheckLevels(std::string_view text, int most_levels, const std::stri
                    std::errc::bad_message);
 }
 
-// The size that the file says is looked at first, so that a large one is refused unread; what is read is measured
-// again, since files grow and those of /proc say 0.
+// The size that the file says is looked at first, so that a large one is refused unread; what is read is
+// measured again, since files grow and those of /proc say 0.
 Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits& limits) {
   const std::string attempt = "read " + file.string();
   const auto opened = OpenRegular(file, attempt);

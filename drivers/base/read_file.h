@@ -18,8 +18,8 @@ inline constexpr int kMostLevels = 32;
 // What a caller allows a file to be. The defaults bound the memory that a wrong name can cost.
 struct ReadLimits {
   std::size_t most_bytes = std::size_t{16} << 20U;  // Far more than anybody writes by hand.
-  // Levels of brackets, braces and dotted keys of TOML or JSON; 0: the text is neither and is not looked at. Parsers
-  // and destructors of trees call themselves once a level, so that the stack is the real limit.
+  // Levels of brackets, braces and dotted keys of TOML or JSON; 0: the text is neither and is not looked at.
+  // Parsers and destructors of trees call themselves once a level, so that the stack is the real limit.
   int most_levels = 0;
 };
 
@@ -34,7 +34,8 @@ struct ReadLimits {
 //   bad_message        more than `most_levels`; the line is named (kInput)
 Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits& limits = {});
 
-// The first `most_bytes` of a file, or all of it where it is shorter; otherwise as ReadFile, without file_too_large.
+// The first `most_bytes` of a file, or all of it where it is shorter; otherwise as ReadFile, without
+// file_too_large.
 Result<std::string> ReadBeginning(const std::filesystem::path& file, std::size_t most_bytes);
 
 // As ReadFile does, for a text that is there already. `name` is what the error says

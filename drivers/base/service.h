@@ -1,5 +1,5 @@
-// What a program tells the service manager that started it, and the file descriptors that the manager keeps for it:
-// the protocols of sd_notify(3) and sd_listen_fds(3), without libsystemd.
+// What a program tells the service manager that started it, and the file descriptors that the manager keeps
+// for it: the protocols of sd_notify(3) and sd_listen_fds(3), without libsystemd.
 #pragma once
 
 #include <optional>
@@ -29,16 +29,17 @@ Result<void> StoreFd(int fd, std::string_view name);
 // since the caller owns it then; none on the first start. It is made close-on-exec.
 std::optional<UniqueFd> RetrieveFd(std::string_view name);
 
-// Tells a manager that watches this program (WatchdogSec=) that it lives, and how long a silence means that it hangs:
-// a hung program on a fast machine is replaced fast, a slow machine is not killed for being slow. One thread.
+// Tells a manager that watches this program (WatchdogSec=) that it lives, and how long a silence means that
+// it hangs: a hung program on a fast machine is replaced fast, a slow machine is not killed for being slow.
+// One thread.
 class Watchdog {
  public:
   // None where no manager watches. WATCHDOG_USEC is the longest silence that it ever allows.
   static std::optional<Watchdog> Wanted();
 
-  // Called from the loop every kPeriod, or as often as the loop gets round. `turn` is how long a turn of the loop
-  // usually takes, 0 where that is not yet known: kPatientTurns may be silent, but never less than 250 ms. Errors: those
-  // of Tell.
+  // Called from the loop every kPeriod, or as often as the loop gets round. `turn` is how long a turn of the
+  // loop usually takes, 0 where that is not yet known: kPatientTurns may be silent, but never less than 250
+  // ms. Errors: those of Tell.
   Result<void> Beat(Duration turn);
 
   // At 60 frames/s 30 turns are half a second, which an audience sees as a hitch and not as a failure.

@@ -1,4 +1,5 @@
-// Logs that a source of samples fell silent and that it delivers again, without filling the log where it flickers.
+// Logs that a source of samples fell silent and that it delivers again, without filling the log where it
+// flickers.
 #pragma once
 
 #include <string>

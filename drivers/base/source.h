@@ -11,9 +11,10 @@
 
 namespace kaori {
 
-// Opens a device, or returns null and logs why: once for each cause, however often it is tried. `logged` is the
-// cause that was logged last. The caller keeps it and may set it: to std::errc{} once the device delivers, so that
-// its next absence is logged, or to the cause that a line of its own has just told. Blocks for as long as `open`.
+// Opens a device, or returns null and logs why: once for each cause, however often it is tried. `logged` is
+// the cause that was logged last. The caller keeps it and may set it: to std::errc{} once the device
+// delivers, so that its next absence is logged, or to the cause that a line of its own has just told. Blocks
+// for as long as `open`.
 template <class Device>
 std::unique_ptr<Device> OpenOrLog(const std::function<Result<std::unique_ptr<Device>>()>& open,
                                   std::errc& logged) {

@@ -7,9 +7,9 @@
 
 namespace kaori {
 
-// A descriptor that becomes readable after `first`, and then every `period`; both are above 0. It gives the number of
-// expirations (timerfd_create(2)), does not block, and is close-on-exec. Errors, named by `attempt`: those of
-// timerfd_create(2) and timerfd_settime(2).
+// A descriptor that becomes readable after `first`, and then every `period`; both are above 0. It gives the
+// number of expirations (timerfd_create(2)), does not block, and is close-on-exec. Errors, named by
+// `attempt`: those of timerfd_create(2) and timerfd_settime(2).
 Result<UniqueFd> OpenTimer(Duration first, Duration period, const char* attempt);
 
 }  // namespace kaori

@@ -17,8 +17,8 @@ inline std::span<const std::uint8_t> AsBytes(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// Writes all of `bytes` where the file stands, in as many parts as the kernel wants. `name` is of the file, for errors: those
-// of write(2), after which a part may be written. Any thread.
+// Writes all of `bytes` where the file stands, in as many parts as the kernel wants. `name` is of the file,
+// for errors: those of write(2), after which a part may be written. Any thread.
 Result<void> WriteAll(int fd, std::span<const std::uint8_t> bytes, const std::string& name);
 
 // Writes the pieces one after the other to a file without a name (O_TMPFILE) in the same folder, and
@@ -26,7 +26,8 @@ Result<void> WriteAll(int fd, std::span<const std::uint8_t> bytes, const std::st
 // before is replaced in one step, or kept where anything fails; nothing else is left behind, not even by
 // a process that is killed half way. Where the file system has no files without a name, a killed process
 // leaves `file`.XXXXXX. A symbolic link at `file` is replaced, not followed. Needs /proc. Any thread.
-// `mode` holds the permission bits of a new file, before the process's umask. Errors, in one line that names the file:
+// `mode` holds the permission bits of a new file, before the process's umask. Errors, in one line that names
+// the file:
 //   those of open(2), write(2), fsync(2) and rename(2): no_space_on_device, permission_denied ...
 //   file_too_large   the process limits the size of its files; it ignores SIGXFSZ, or the kernel ends it
 Result<void> WriteWholeFile(const std::filesystem::path& file,

@@ -52,7 +52,8 @@ V4l2Camera::~V4l2Camera() {
   for (const Buffer& buffer : buffers_) calls_.Unmap(buffer.memory, buffer.bytes);
 }
 
-// The time of the start counts as that of a frame, so that a camera which never sends one is found hung as well.
+// The time of the start counts as that of a frame, so that a camera which never sends one is found hung as
+// well.
 Result<void> V4l2Camera::Start() {
   if (auto ok = MapBuffers(); !ok) return ok;
   // All buffers are queued before the stream starts: some drivers refuse STREAMON without any.
@@ -177,8 +178,8 @@ bool V4l2Camera::HasSourceChanged() {
          event.type == V4L2_EVENT_SOURCE_CHANGE;
 }
 
-// The first failure is kept, and every later call gives it: a stream does not go on after one. `verb` begins the
-// sentence that the path ends.
+// The first failure is kept, and every later call gives it: a stream does not go on after one. `verb` begins
+// the sentence that the path ends.
 tl::unexpected<Error> V4l2Camera::Broken(int error, const char* verb) {
   const bool gone = error == ENODEV || error == ENXIO;
   // Another program streams already (VIDIOC_REQBUFS, VIDIOC_STREAMON).

@@ -37,8 +37,8 @@ std::string V4l2Source::mode() const {
   return mode_ ? NameOf(*mode_) : std::string();
 }
 
-// Opens the device anew for the question, which V4L2 allows beside the one that streams. Nothing: no camera, or
-// none that tells its exposure.
+// Opens the device anew for the question, which V4L2 allows beside the one that streams. Nothing: no camera,
+// or none that tells its exposure.
 std::optional<float> V4l2Source::exposure() const {
   const UniqueFd fd = calls_.Open(path_);
   const auto exposure_s = fd.valid() ? ExposureSeconds(calls_, fd.get()) : std::nullopt;

@@ -72,8 +72,8 @@ Result<DialSample> DialBoxDecoder::Decode(std::span<const std::uint8_t> report, 
   return sample_;
 }
 
-// Counts that one value adds, clockwise positive. An absolute dial's first value after it was plugged in is its
-// place and no turn.
+// Counts that one value adds, clockwise positive. An absolute dial's first value after it was plugged in is
+// its place and no turn.
 std::int32_t DialBoxDecoder::Turned(Dial& dial, std::int64_t value) const {
   const ReportField& field = layout_.fields[dial.where.field];
   if (!in_range(field, value)) return 0;  // HID: outside the logical range is no value.

@@ -37,8 +37,8 @@ class DialBoxDecoder {
   //   not_supported     the device has no endless dial
   static Result<DialBoxDecoder> For(const ports::HidIdentity& identity, const DialSample& before = {});
 
-  // The same for any device that has a dial or a button, whatever it is for: for surfaces that a person has written a map for.
-  // Errors:
+  // The same for any device that has a dial or a button, whatever it is for: for surfaces that a person has
+  // written a map for. Errors:
   //   invalid_argument  the report descriptor is broken
   //   not_supported     it has neither
   static Result<DialBoxDecoder> ForSurface(const ports::HidIdentity& identity);

@@ -140,8 +140,8 @@ void JoystickDecoder::Release() {
   UpdateAxes();
 }
 
-// The sticks are expected to stand at rest now. An axis that is further off than a worn stick ever rests is held
-// by somebody, and keeps its centre.
+// The sticks are expected to stand at rest now. An axis that is further off than a worn stick ever rests is
+// held by somebody, and keeps its centre.
 void JoystickDecoder::CalibrateCentre() {
   for (auto* axis : centred()) {
     if (!*axis || !(*axis)->raw) continue;

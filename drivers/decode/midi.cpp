@@ -36,8 +36,8 @@ void MidiParser::AcceptStatus(std::uint8_t byte) {
   data_bytes_ = 0;
 }
 
-// Of a SysEx that is too long the count goes one beyond the limit, and no further: by that its end tells that it
-// is not whole. Data without a status are passed over, as after a system message.
+// Of a SysEx that is too long the count goes one beyond the limit, and no further: by that its end tells that
+// it is not whole. Data without a status are passed over, as after a system message.
 std::optional<MidiMessage> MidiParser::AcceptData(std::uint8_t byte) {
   if (in_sysex_) {
     if (sysex_bytes_ < kMostSysExBytes) sysex_[sysex_bytes_] = byte;

@@ -1,4 +1,5 @@
-// Cuts a MIDI stream into messages: MIDI 1.0, with running status, messages of the system in between, and SysEx.
+// Cuts a MIDI stream into messages: MIDI 1.0, with running status, messages of the system in between, and
+// SysEx.
 #pragma once
 
 #include <array>
@@ -26,8 +27,8 @@ class MidiParser {
  public:
   // The message that `byte` ends, if it ends one. Bytes of the clock may come anywhere, and change nothing.
   std::optional<MidiMessage> Accept(std::uint8_t byte);
-  // The bytes between F0 and F7 of the SysEx that ended last; empty where there was none, or it was too long. Good until the
-  // next F0.
+  // The bytes between F0 and F7 of the SysEx that ended last; empty where there was none, or it was too long.
+  // Good until the next F0.
   std::span<const std::uint8_t> sysex() const;
 
  private:

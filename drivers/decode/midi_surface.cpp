@@ -5,7 +5,8 @@
 namespace kaori::decode {
 namespace {
 
-// The middle of the seven bits: no turn where a value is an offset, and the least that holds a control's button.
+// The middle of the seven bits: no turn where a value is an offset, and the least that holds a control's
+// button.
 constexpr int kMiddle = 64;
 constexpr std::uint8_t kFull = 127;
 constexpr std::size_t kMostButtons = 32;
@@ -34,7 +35,8 @@ bool MidiSurface::Accept(std::uint8_t byte) {
   return message->kind == MidiMessage::Kind::kControl && Turn(*message) ? true : Press(*message);
 }
 
-// The first dial of the map with this channel and control counts; counts wrap at 32 bits by unsigned arithmetic.
+// The first dial of the map with this channel and control counts; counts wrap at 32 bits by unsigned
+// arithmetic.
 bool MidiSurface::Turn(const MidiMessage& message) {
   for (std::size_t n = 0; n < std::min(map_.dials.size(), counts_.size()); ++n) {
     const MidiDial& dial = map_.dials[n];
@@ -68,8 +70,8 @@ bool MidiSurface::Press(const MidiMessage& message) {
   return down_ != before;
 }
 
-// Note-on or control change, by what the button itself sends; value 127 lights and 0 darkens, since a note-on of
-// velocity 0 is a note-off (MIDI 1.0).
+// Note-on or control change, by what the button itself sends; value 127 lights and 0 darkens, since a note-on
+// of velocity 0 is a note-off (MIDI 1.0).
 std::vector<std::uint8_t> MidiSurface::LampBytes(std::uint32_t lit, bool again) {
   std::vector<std::uint8_t> bytes;
   for (std::size_t n = 0; n < std::min(map_.buttons.size(), kMostButtons); ++n) {

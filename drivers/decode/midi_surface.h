@@ -54,8 +54,8 @@ class MidiSurface {
   const std::array<std::int32_t, kMaxDials>& counts() const { return counts_; }
   std::uint32_t buttons_down() const { return down_; }
 
-  // The messages that light these lamps and darken the others, where they are not so already; all of them with `again`. They
-  // count as sent.
+  // The messages that light these lamps and darken the others, where they are not so already; all of them
+  // with `again`. They count as sent.
   std::vector<std::uint8_t> LampBytes(std::uint32_t lit, bool again);
   // They were not sent: what the device shows is unknown.
   void ForgetLamps() { lit_.reset(); }

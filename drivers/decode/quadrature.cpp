@@ -12,8 +12,8 @@ unsigned QuarterOf(std::uint32_t levels, std::size_t dial) {
 
 }  // namespace
 
-// One edge changes one line, so that a dial goes one quarter forth or back. An edge to the level that a line has already is half of
-// a pair whose other half the interrupt was too slow for: it comes to no turn.
+// One edge changes one line, so that a dial goes one quarter forth or back. An edge to the level that a line
+// has already is half of a pair whose other half the interrupt was too slow for: it comes to no turn.
 bool QuadratureDials::Accept(const DialEdge& edge) {
   if (edge.line >= 2 * kMaxDials) return false;
   const bool follows = !began_ || edge.sequence == last_sequence_ + 1;

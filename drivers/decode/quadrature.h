@@ -17,8 +17,9 @@ struct DialEdge {
   std::uint32_t sequence = 0;  // Of all lines together; wraps.
 };
 
-// Every edge counts, and what is missing never becomes a turn. A gap in the numbers means that the kernel dropped edges: nothing
-// is known then until somebody has read the levels, and edges of before that moment are passed over. Pure; one thread.
+// Every edge counts, and what is missing never becomes a turn. A gap in the numbers means that the kernel
+// dropped edges: nothing is known then until somebody has read the levels, and edges of before that moment
+// are passed over. Pure; one thread.
 class QuadratureDials {
  public:
   // `levels`: bit n is line n. Whatever they are, this is where the dials stand.

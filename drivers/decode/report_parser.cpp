@@ -209,8 +209,8 @@ Usage Parser::Application() const {
   return it == collections_.rend() ? 0 : it->usage;
 }
 
-// The report of the current id and this kind; made with its first field. Fields of one report may be spread over
-// the descriptor, and follow each other in the report all the same.
+// The report of the current id and this kind; made with its first field. Fields of one report may be spread
+// over the descriptor, and follow each other in the report all the same.
 ReportShape& Parser::ShapeOf(ReportKind kind) {
   const std::uint8_t id = globals_.report_id;
   const auto it =

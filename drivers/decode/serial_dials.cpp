@@ -18,8 +18,8 @@ constexpr int kDoubtOfTorn = 4;
 constexpr int kMostDoubt = 64;
 constexpr std::uint32_t kStrangeBytes = 960;  // What fits through the line in a second.
 
-// All eight dials report by themselves; then the type of the 32 buttons and that they report by themselves. Switching the dials
-// on switches the buttons off, so that buttons come last, and twice as the box wants it.
+// All eight dials report by themselves; then the type of the 32 buttons and that they report by themselves.
+// Switching the dials on switches the buttons off, so that buttons come last, and twice as the box wants it.
 constexpr auto kStart = std::to_array<std::uint8_t>(
     {0x50, 0x00, 0xFF, 0x71, 0x00, 0x00, 0x00, 0x00, 0x73, 0xFF, 0xFF, 0xFF, 0xFF,  //
      0x71, 0x00, 0x00, 0x00, 0x00, 0x73, 0xFF, 0xFF, 0xFF, 0xFF});
@@ -95,9 +95,9 @@ bool SerialDialDecoder::Begin(std::uint8_t byte, Time at) {
   return false;
 }
 
-// D8..DF are buttons 0..7 pressed, D0..D7 8..15, C8..CF 16..23, C0..C7 24..31; 0x20 more is the release. Without its first byte the
-// data of a dial look like buttons: two of them back to back, or one that is so already. Of two buttons that a person presses
-// within three milliseconds the second is lost for it.
+// D8..DF are buttons 0..7 pressed, D0..D7 8..15, C8..CF 16..23, C0..C7 24..31; 0x20 more is the release.
+// Without its first byte the data of a dial look like buttons: two of them back to back, or one that is so
+// already. Of two buttons that a person presses within three milliseconds the second is lost for it.
 bool SerialDialDecoder::AcceptButton(std::uint8_t byte, Time at) {
   const std::uint32_t bit = BitOf(byte);
   const bool is_release = (byte & kReleasedBit) != 0;
@@ -125,8 +125,8 @@ bool SerialDialDecoder::ApplyButton(std::uint8_t byte) {
   return buttons_down_ != before;
 }
 
-// A jump in the first message after a gap is the truth: the dial was turned while nobody could listen. Where it stands is known
-// from here on, and what it turned is not.
+// A jump in the first message after a gap is the truth: the dial was turned while nobody could listen. Where
+// it stands is known from here on, and what it turned is not.
 bool SerialDialDecoder::AcceptDial(Time at) {
   state_ = State::kBetween;
   const bool is_first = is_first_;

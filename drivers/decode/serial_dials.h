@@ -13,8 +13,8 @@
 
 namespace kaori::decode {
 
-// The dialects, 9600 baud 8N1 all of them. Sources of the bytes: VRPN's vrpn_raw_sgibox, freeglut's fg_input_devices, and the
-// cctalk list of April 2018 on two real boxes.
+// The dialects, 9600 baud 8N1 all of them. Sources of the bytes: VRPN's vrpn_raw_sgibox, freeglut's
+// fg_input_devices, and the cctalk list of April 2018 on two real boxes.
 //   kSgi              SN-921. Mute until it is asked. A dial sends 30+n HH LL: where it stands, 16 bits that wrap
 //   kSpectragraphics  asked as the SN-921. A dial sends 30+n b c: it turned by b - c
 //   kDls80            DLS80-1022 and HP A4362A. Speaks unasked. A dial sends 80+n HH LL: by how much it turned, clockwise positive
@@ -24,11 +24,11 @@ inline constexpr std::array<std::string_view, 3> kSerialBoxNames{"sgi", "spectra
 // A message is whole within this time, and silence for this long begins anew.
 inline constexpr Duration kSerialGap = std::chrono::milliseconds(10);
 
-// The rule of resynchronising. Three bytes without a mark can be read in three ways, so that no decoder finds back to them by
-// their values alone. Where a byte begins no message, or a dial jumps by more than a third of a turn, the line is only watched
-// until it was silent for kSerialGap; what comes then is a beginning. A fault lets one false value pass at most, but for a
-// few in a million where a byte looks right by chance; it is bounded by that jump, and none passes after the next gap. Pure; one
-// decoder belongs to one opened line.
+// The rule of resynchronising. Three bytes without a mark can be read in three ways, so that no decoder finds
+// back to them by their values alone. Where a byte begins no message, or a dial jumps by more than a third of
+// a turn, the line is only watched until it was silent for kSerialGap; what comes then is a beginning. A
+// fault lets one false value pass at most, but for a few in a million where a byte looks right by chance; it
+// is bounded by that jump, and none passes after the next gap. Pure; one decoder belongs to one opened line.
 class SerialDialDecoder {
  public:
   // `counts_per_turn` is 1 to 2^20.
@@ -36,17 +36,19 @@ class SerialDialDecoder {
 
   // Accepts the next byte, which arrived at `at`. Returns whether the counts or the buttons changed.
   bool Accept(std::uint8_t byte, Time at);
-  // What silence until `now` confirms: a button right behind a dial's message may be a dial's byte that is out of step, and waits
-  // for the gap or for the next whole message. Returns whether a button changed.
+  // What silence until `now` confirms: a button right behind a dial's message may be a dial's byte that is
+  // out of step, and waits for the gap or for the next whole message. Returns whether a button changed.
   bool Settle(Time now);
 
-  // Turns since the decoder began, clockwise positive; they wrap. The first position of a dial that tells positions is no turn.
+  // Turns since the decoder began, clockwise positive; they wrap. The first position of a dial that tells
+  // positions is no turn.
   const std::array<std::int32_t, kMaxDials>& counts() const { return counts_; }
   std::uint32_t buttons_down() const { return buttons_down_; }  // Bit n: button n is held.
   // Messages that were passed over, and those that were whole.
   std::uint32_t torn() const { return torn_; }
   std::uint32_t whole() const { return whole_; }
-  // Much of what came lately was no message, or nothing for a second: the line has another speed, or another device.
+  // Much of what came lately was no message, or nothing for a second: the line has another speed, or another
+  // device.
   bool is_strange() const;
 
  private:
@@ -80,8 +82,8 @@ class SerialDialDecoder {
   std::uint32_t unread_bytes_ = 0;  // Since the last whole message.
 };
 
-// Both directions of a line: the box is asked, and what it sends is decoded. It sends nothing by itself; what is to be sent
-// it gives away. Pure; one thread.
+// Both directions of a line: the box is asked, and what it sends is decoded. It sends nothing by itself; what
+// is to be sent it gives away. Pure; one thread.
 class SerialDialSession {
  public:
   enum class State : std::uint8_t {

@@ -31,8 +31,8 @@ StreamDeck StreamDeckOf(std::uint16_t vendor, std::uint16_t product) {
   return vendor == kElgato && found != kDecks.end() ? found->deck : StreamDeck{};
 }
 
-// The last page is marked in its byte 3, and filled with zeros to its length. An empty JPEG still gives one page,
-// which ends a picture of nothing.
+// The last page is marked in its byte 3, and filled with zeros to its length. An empty JPEG still gives one
+// page, which ends a picture of nothing.
 std::vector<std::vector<std::uint8_t>> PicturePages(int key, std::span<const std::uint8_t> jpeg) {
   std::vector<std::vector<std::uint8_t>> pages;
   do {

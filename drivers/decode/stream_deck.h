@@ -15,8 +15,9 @@ struct StreamDeck {
 };
 StreamDeck StreamDeckOf(std::uint16_t vendor, std::uint16_t product);
 
-// The output reports, 1024 bytes each and to be sent in this order, that show a JPEG on a key, 0 the upper left one. The picture
-// has the key's size. Page n of them is cut behind 8 bytes of head: 02 07 key last length16 n16.
+// The output reports, 1024 bytes each and to be sent in this order, that show a JPEG on a key, 0 the upper
+// left one. The picture has the key's size. Page n of them is cut behind 8 bytes of head: 02 07 key last
+// length16 n16.
 std::vector<std::vector<std::uint8_t>> PicturePages(int key, std::span<const std::uint8_t> jpeg);
 
 }  // namespace kaori::decode

@@ -67,8 +67,8 @@ Usage UsageList::first(std::uint32_t page) const {
   return Complete(range.first, range.has_page, page);
 }
 
-// Each range begins at the element behind the last one of the range before. A usage without a page of its own has
-// that of the main item, which may come after it (HID 1.11, 6.2.2.8).
+// Each range begins at the element behind the last one of the range before. A usage without a page of its own
+// has that of the main item, which may come after it (HID 1.11, 6.2.2.8).
 void UsageList::AppendTo(std::vector<UsageRange>& into, std::uint32_t page) const {
   std::uint32_t start = 0;
   for (const Range& range : usages_) {

@@ -40,8 +40,8 @@ class DialChannel final : public ports::HidChannel {
   Result<void> Write(std::span<const std::uint8_t>) override { return {}; }
 
  private:
-  // The error of a gap is told after the dials go on. The time is that before the levels: an edge in between is in them
-  // already, and comes to no turn when it is read; passed over it would be missing.
+  // The error of a gap is told after the dials go on. The time is that before the levels: an edge in between
+  // is in them already, and comes to no turn when it is read; passed over it would be missing.
   Result<void> Resume() {
     const Time at = clock_.now();
     const auto levels = lines_->Levels();
@@ -76,7 +76,8 @@ Result<std::vector<std::string>> DialBus::Ports() {
   return std::vector<std::string>{kPort};
 }
 
-// The levels of the beginning are read after the request, so that an edge in between is seen as one that came before.
+// The levels of the beginning are read after the request, so that an edge in between is seen as one that came
+// before.
 Result<std::unique_ptr<ports::HidChannel>> DialBus::Open(const std::string& port) {
   if (port != kPort) return Fail(std::errc::no_such_device, "open " + port);
   auto lines = open_();

@@ -12,8 +12,9 @@
 
 namespace kaori::gpio {
 
-// As ports::HidBus, with the one port "gpio-dials", which is there always: Open says why the lines cannot be had. Read of its channel
-// also says bad_message where the kernel dropped edges: they move nothing, and the dials go on from their levels. One thread.
+// As ports::HidBus, with the one port "gpio-dials", which is there always: Open says why the lines cannot be
+// had. Read of its channel also says bad_message where the kernel dropped edges: they move nothing, and the
+// dials go on from their levels. One thread.
 class DialBus final : public ports::HidBus {
  public:
   // Opens nothing yet. Borrows the clock. Errors: those of eventfd(2).

@@ -16,11 +16,12 @@ namespace {
 
 // Two lines for each dial, A before B.
 constexpr std::size_t kMostDialLines = 2 * decode::kMaxDials;
-// More than all dials make in the time for which this program may ever be away; the kernel allows 16 times the lines.
+// More than all dials make in the time for which this program may ever be away; the kernel allows 16 times
+// the lines.
 constexpr std::uint32_t kEdgesKept = 1024;
 
-// A request for lines of one chip; the chip's own file may be closed meanwhile. Edges carry the kernel's time of
-// the interrupt on CLOCK_MONOTONIC, and numbers over all lines of the request, by which a lost one shows.
+// A request for lines of one chip; the chip's own file may be closed meanwhile. Edges carry the kernel's time
+// of the interrupt on CLOCK_MONOTONIC, and numbers over all lines of the request, by which a lost one shows.
 class KernelDialLines final : public DialLines {
  public:
   KernelDialLines(UniqueFd request, std::vector<std::uint32_t> offsets)
@@ -67,8 +68,8 @@ int Request(int chip, const std::vector<std::uint32_t>& offsets, std::uint64_t b
 
 }  // namespace
 
-// The second try without pull-ups is made for each kind of failure: where lines are busy or missing it fails in
-// the same way, and its cause is the one that is told.
+// The second try without pull-ups is made for each kind of failure: where lines are busy or missing it fails
+// in the same way, and its cause is the one that is told.
 Result<std::unique_ptr<DialLines>> OpenDialLines(const std::string& chip,
                                                  const std::vector<std::uint32_t>& offsets) {
   const std::string path = chip.starts_with('/') ? chip : "/dev/" + chip;

@@ -66,7 +66,8 @@ class Input final : public InputLine {
   Line line_;
 };
 
-// A line that is driven; released with the object, and what the chip does with it then is its driver's choice.
+// A line that is driven; released with the object, and what the chip does with it then is its driver's
+// choice.
 class Output final : public OutputLine {
  public:
   explicit Output(Line line) : line_(std::move(line)) {}
@@ -107,9 +108,9 @@ class Chip final : public GpioChip {
   }
 
  private:
-  // A CP2112 has no interrupts either: Linux looks at it every 40 ms and makes edges of what it finds. Where the last line
-  // with edges is released it waits for that look while it holds a spin lock ("BUG: scheduling while atomic" in
-  // cp2112_gpio_irq_shutdown of 6.12), so its lines are asked for without edges.
+  // A CP2112 has no interrupts either: Linux looks at it every 40 ms and makes edges of what it finds. Where
+  // the last line with edges is released it waits for that look while it holds a spin lock ("BUG: scheduling
+  // while atomic" in cp2112_gpio_irq_shutdown of 6.12), so its lines are asked for without edges.
   bool IsPolledByItsDriver() const {
     return gpiod_chip_label(chip_.get()) == std::string_view("cp2112_gpio");
   }

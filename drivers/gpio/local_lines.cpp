@@ -27,8 +27,8 @@ Result<std::unique_ptr<LocalLines>> LocalLines::Connect(const std::string& folde
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
 }
 
-// Blocks for the hello, `patience` at most: without it nobody knows how many lines there are. A number beyond 32
-// breaks the link, since lines are bits of a word.
+// Blocks for the hello, `patience` at most: without it nobody knows how many lines there are. A number beyond
+// 32 breaks the link, since lines are bits of a word.
 Result<void> LocalLines::Greet(Duration patience) {
   const auto patience_ms = std::chrono::duration_cast<std::chrono::milliseconds>(patience).count();
   pollfd waiting{socket_.get(), POLLIN, 0};
@@ -54,8 +54,8 @@ Result<std::uint32_t> LocalLines::Levels() {
   return active_;
 }
 
-// Times are those that the panel gave its edges, on this machine's clock. A packet that is no edge, or of a line
-// that is not there, breaks the link for good.
+// Times are those that the panel gave its edges, on this machine's clock. A packet that is no edge, or of a
+// line that is not there, breaks the link for good.
 Result<ports::GpioEdge> LocalLines::ReadEdge() {
   if (broken_) return Broken();
   std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;

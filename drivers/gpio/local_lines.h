@@ -17,8 +17,8 @@ namespace kaori::gpio {
 // The packets are those of firmware/wire/link_lines.h. One thread.
 class LocalLines final : public ports::GpioLines {
  public:
-  // Connects to "<folder>/lines.<port>" and returns at once; the lines can be used after Greet. Errors: no_such_device
-  // (nobody listens there), permission_denied.
+  // Connects to "<folder>/lines.<port>" and returns at once; the lines can be used after Greet. Errors:
+  // no_such_device (nobody listens there), permission_denied.
   static Result<std::unique_ptr<LocalLines>> Connect(const std::string& folder,
                                                      const std::string& port = "lines");
 

@@ -139,8 +139,8 @@ void HidrawBus::Add(udev_device* device) {
            .name = std::string(Text(udev_device_get_property_value(hid, "HID_NAME")))};
 }
 
-// A device that is pulled between its notice and the opening gives no_such_device, as one that was never there.
-// Its state is asked for at once, since a switch that stands sends no report.
+// A device that is pulled between its notice and the opening gives no_such_device, as one that was never
+// there. Its state is asked for at once, since a switch that stands sends no report.
 Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& port) {
   const auto it = nodes_.find(port);
   if (it == nodes_.end()) return Fail(std::errc::no_such_device, "open " + port);

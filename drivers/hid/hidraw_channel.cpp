@@ -38,8 +38,8 @@ Result<void> HidrawChannel::RequestInitialReports(std::span<const decode::Initia
   return asked;
 }
 
-// The kernel knows nothing of the answers: an eventfd beside the node is readable until Read has given the last
-// one, and leaves the epoll set when it is closed.
+// The kernel knows nothing of the answers: an eventfd beside the node is readable until Read has given the
+// last one, and leaves the epoll set when it is closed.
 Result<void> HidrawChannel::TellOfInitial() {
   ready_ = UniqueFd(::epoll_create1(EPOLL_CLOEXEC));
   initial_waits_ = UniqueFd(::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK));

@@ -24,8 +24,8 @@ class HidrawChannel final : public ports::HidChannel {
   // device sends by itself. Called once at most, before pollable(), which it may change. Linux drops what a
   // device sends in the first 50 ms after it was opened, and a stick that is held still sends no more; so its
   // position would be unknown. A device that stalls, or whose answer is not plausible, has no initial report,
-  // which is no error. Blocks about 1 ms for each report. Errors: those of epoll_create1(2) and eventfd(2), and
-  // then no answer is given;
+  // which is no error. Blocks about 1 ms for each report. Errors: those of epoll_create1(2) and eventfd(2),
+  // and then no answer is given;
   //   timed_out  the device did not answer at all; that took 5 s
   Result<void> RequestInitialReports(std::span<const decode::InitialReport> reports);
 

@@ -15,7 +15,8 @@ int OnHotPlug(libusb_context*, libusb_device*, libusb_hotplug_event, void*) {
   return 0;
 }
 
-// Griffin's PowerMate and SoundKnob. Linux has a driver of its own for them, which makes events of them and no reports.
+// Griffin's PowerMate and SoundKnob. Linux has a driver of its own for them, which makes events of them and
+// no reports.
 bool IsIgnoredByKernel(const UsbHidInterface& interface) {
   constexpr std::uint16_t kGriffin = 0x077D;
   return interface.vendor == kGriffin && (interface.product == 0x0410 || interface.product == 0x04AA);

@@ -156,8 +156,8 @@ void LibusbSession::OnRemoved(int fd, void* self) {
   ::epoll_ctl(static_cast<LibusbSession*>(self)->epoll_.get(), EPOLL_CTL_DEL, fd, nullptr);
 }
 
-// Makes the session's descriptor readable by hand: for what has come already, which libusb's own descriptors no
-// longer tell.
+// Makes the session's descriptor readable by hand: for what has come already, which libusb's own descriptors
+// no longer tell.
 void LibusbSession::SetReadable(bool readable) {
   eventfd_t count = 0;
   if (readable)

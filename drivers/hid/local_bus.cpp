@@ -112,8 +112,8 @@ void LocalHidBus::Refresh(const std::string& port) {
   if (fs::is_socket(PathOf(port), error)) Connect(port);
 }
 
-// A socket that is there and whose owner has no room for callers now is busy, and tried again by Open; any other
-// failure is final until the folder says something new of it.
+// A socket that is there and whose owner has no room for callers now is busy, and tried again by Open; any
+// other failure is final until the folder says something new of it.
 void LocalHidBus::Connect(const std::string& port) {
   Connection connection;
   auto socket = ConnectToPeer(PathOf(port));

@@ -29,8 +29,9 @@ struct MidiFolders {
   Duration look_every = std::chrono::milliseconds(250);
 };
 
-// As ports::HidBus, with the port names of HidrawBus. The first MIDI port of a USB device is looked for now and then, so that
-// surfaces may come and go. Those without a map are listed too, and Open says not_supported with their ids, which is final.
+// As ports::HidBus, with the port names of HidrawBus. The first MIDI port of a USB device is looked for now
+// and then, so that surfaces may come and go. Those without a map are listed too, and Open says not_supported
+// with their ids, which is final.
 class MidiBus final : public ports::HidBus {
  public:
   // Borrows the clock, and the surfaces, which may grow no more. Errors: those of timerfd_create(2).

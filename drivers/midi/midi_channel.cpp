@@ -61,8 +61,8 @@ Result<void> MidiChannel::Write(std::span<const std::uint8_t> report) {
   return Send(surface_.LampBytes(lit_, false));
 }
 
-// What was cut short is sent whole the next time: a status byte ends whatever message it comes into. EBADF is a device that
-// has no way back and is open for reading alone.
+// What was cut short is sent whole the next time: a status byte ends whatever message it comes into. EBADF is
+// a device that has no way back and is open for reading alone.
 Result<void> MidiChannel::Send(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return {};
   const ssize_t sent = ::write(node_.get(), bytes.data(), bytes.size());

@@ -12,8 +12,8 @@
 
 namespace kaori::midi {
 
-// As ports::HidChannel: each message that changes something becomes a report of firmware/wire/dial_box.h, and lamps go back as
-// that report says them. One thread.
+// As ports::HidChannel: each message that changes something becomes a report of firmware/wire/dial_box.h, and
+// lamps go back as that report says them. One thread.
 class MidiChannel final : public ports::HidChannel {
  public:
   // `node` is open and does not block. Sends what the map says to begin with. Borrows the map and the clock.

@@ -60,8 +60,9 @@ class HidChannel {
   //   invalid_argument                `report` is empty
   virtual Result<void> Write(std::span<const std::uint8_t> report) = 0;
 
-  // The feature report whose id is byte 0 of `into` (0 where the descriptor has none), asked for now: the rest of `into` is
-  // filled, and the answer's length, id included, is given. May block as long as the kernel waits for a device. Errors:
+  // The feature report whose id is byte 0 of `into` (0 where the descriptor has none), asked for now: the
+  // rest of `into` is filled, and the answer's length, id included, is given. May block as long as the kernel
+  // waits for a device. Errors:
   //   not_supported   this channel has no such way
   //   no_such_device, io_error   as Read; io_error too where the device refuses (STALL)
   virtual Result<std::size_t> GetFeature(std::span<std::uint8_t> into) {

@@ -1,5 +1,5 @@
-// The kernel's KMS, on the card's own file. Each call of KmsDevice is one or a few ioctls of libdrm, without a
-// copy of the card's state but for the ids of properties.
+// The kernel's KMS, on the card's own file. Each call of KmsDevice is one or a few ioctls of libdrm, without
+// a copy of the card's state but for the ids of properties.
 #pragma once
 
 #include <xf86drm.h>

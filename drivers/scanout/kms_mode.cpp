@@ -87,8 +87,8 @@ std::optional<int> ReadNumber(std::string_view& text, std::string_view ends, int
 
 }  // namespace
 
-// The screen's own preferred mode, else the largest that is safe for any screen, else the first that is valid at
-// all, else one that every screen is expected to show.
+// The screen's own preferred mode, else the largest that is safe for any screen, else the first that is valid
+// at all, else one that every screen is expected to show.
 ChosenMode ChooseMode(std::span<const drmModeModeInfo> modes) {
   const drmModeModeInfo* safe = nullptr;
   const drmModeModeInfo* any = nullptr;

@@ -149,8 +149,8 @@ std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string&
   return status;
 }
 
-// Nothing: all that could be tried was refused by the card. Whatever is shown in place of a mode that was wished
-// for, by a setting or by the screen, is marked as a substitute.
+// Nothing: all that could be tried was refused by the card. Whatever is shown in place of a mode that was
+// wished for, by a setting or by the screen, is marked as a substitute.
 std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsPreferences& preferences) {
   if (preferences.mode && !IsRefused(preferences, connector.id, *preferences.mode))
     return ChosenMode{*preferences.mode, ports::ModeOrigin::kWanted};

@@ -92,8 +92,8 @@ Result<void> LocalScreen::Present(std::uint64_t frame) {
   return {};
 }
 
-// Slots are used in turn, which both sides count for themselves: after a flip that does not agree nobody knows
-// what is on the screen, so that the link ends.
+// Slots are used in turn, which both sides count for themselves: after a flip that does not agree nobody
+// knows what is on the screen, so that the link ends.
 Result<ports::Flip> LocalScreen::ReadFlip() {
   if (!memory_.valid()) {
     if (auto greeted = ReadHello(); !greeted) return tl::unexpected(greeted.error());

@@ -96,8 +96,8 @@ bool SerialBus::is_ready() const {
   return !loan_.was_strange || spoken_->session.decoder().whole() > 0;
 }
 
-// Nothing while the box still has time to answer. A line that could not be opened is told first; then one that
-// speaks otherwise than it should, by the wrong kind or another speed; then silence.
+// Nothing while the box still has time to answer. A line that could not be opened is told first; then one
+// that speaks otherwise than it should, by the wrong kind or another speed; then silence.
 std::optional<Error> SerialBus::fault() const {
   if (refused_) return refused_;
   if (!spoken_ || is_ready()) return std::nullopt;

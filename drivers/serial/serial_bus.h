@@ -12,8 +12,8 @@
 
 namespace kaori::serial {
 
-// A line is named by a person, since nothing tells what is at its other end: a box that is asked wrongly does not answer, but
-// another device may do what nobody wants.
+// A line is named by a person, since nothing tells what is at its other end: a box that is asked wrongly does
+// not answer, but another device may do what nobody wants.
 struct SerialBoxOptions {
   std::string path;  // Best of /dev/serial/by-path, which is the socket and not the adapter.
   decode::SerialBox box = decode::SerialBox::kSgi;
@@ -25,9 +25,9 @@ struct SerialBoxOptions {
 // Reads "/dev/serial/by-path/...=sgi". Errors: invalid_argument, which names the kinds that there are.
 Result<SerialBoxOptions> ParseSerialBox(const std::string& text, int counts_per_turn);
 
-// As ports::HidBus, of one line, whose port is the last part of its path. It is looked for now and then, so that
-// adapters may come and go. A port is listed once its box has answered; one that does not answer for a second is listed too,
-// and Open then says why it cannot be had. Open also says
+// As ports::HidBus, of one line, whose port is the last part of its path. It is looked for now and then, so
+// that adapters may come and go. A port is listed once its box has answered; one that does not answer for a
+// second is listed too, and Open then says why it cannot be had. Open also says
 //   timed_out       nobody answers
 //   protocol_error  what comes is no message of this kind of box
 class SerialBus final : public ports::HidBus {

@@ -73,8 +73,8 @@ ports::HidInput SerialChannel::Report(std::span<std::uint8_t> into) {
   return {.at = read_at_, .bytes = reporter_.Report(decoder.counts(), decoder.buttons_down(), into)};
 }
 
-// A box without lamps takes the report and does nothing. What was cut short is not sent again: the caller tries
-// the whole report later.
+// A box without lamps takes the report and does nothing. What was cut short is not sent again: the caller
+// tries the whole report later.
 Result<void> SerialChannel::Write(std::span<const std::uint8_t> report) {
   if (report.size() != 1 + wire::kDialBoxLampBytes)
     return FailInput("write an unknown report to " + identity_.port);

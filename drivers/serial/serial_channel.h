@@ -18,7 +18,8 @@ struct SpokenLine {
   decode::SerialDialSession session;
 };
 
-// Sends what the session has to say. What the line does not take whole is lost: a line of 9600 baud takes four thousand bytes.
+// Sends what the session has to say. What the line does not take whole is lost: a line of 9600 baud takes
+// four thousand bytes.
 void SendDue(SpokenLine& spoken, Time now);
 
 // What a channel leaves behind for its bus.
@@ -27,8 +28,8 @@ struct SerialLoan {
   bool was_strange = false;  // The last one ended since what came was no message of its kind of box.
 };
 
-// As ports::HidChannel: each message of the box that changes something becomes a report of firmware/wire/dial_box.h, and lamps
-// go back as that report says them. Read also says
+// As ports::HidChannel: each message of the box that changes something becomes a report of
+// firmware/wire/dial_box.h, and lamps go back as that report says them. Read also says
 //   no_such_device  too: what comes is no message of this kind of box
 //   bad_message     a torn message was passed over, and the line stays open
 // One thread.

@@ -17,7 +17,8 @@ constexpr unsigned kIdleTimeout_s = 30;
 constexpr Duration kRequestLimit = std::chrono::seconds(10);  // Handshake, headers and body.
 constexpr Duration kReplyLimit = std::chrono::seconds(30);    // A reply of one piece.
 constexpr int kRunsAtOnce = 64;  // A client that never stops sending must not hold the loop.
-// MHD counts connections that we have closed and it has not noticed; it accepts no more than ten before it looks.
+// MHD counts connections that we have closed and it has not noticed; it accepts no more than ten before it
+// looks.
 constexpr unsigned kMoreOfMhd = 16;
 // In GnuTLS's words: no version, cipher or key exchange that RFC 9325 advises against.
 constexpr const char* kTlsPriorities =

@@ -79,17 +79,18 @@ struct ServerOptions {
   Reach reach = Reach::kThisMachine;
   std::string address{};                     // One IPv4 address of this machine; empty: as `reach` says.
   std::optional<Certificate> certificate{};  // HTTPS with it, HTTP without.
-  // Connections at a time, of all clients and of one address. For one more, the oldest whose request is not whole yet is
-  // closed, of that address or of all: who says nothing keeps nobody waiting. Where all requests are whole, the newest is.
+  // Connections at a time, of all clients and of one address. For one more, the oldest whose request is not
+  // whole yet is closed, of that address or of all: who says nothing keeps nobody waiting. Where all requests
+  // are whole, the newest is.
   unsigned most_connections = 64;
   unsigned most_of_one_address = 24;  // A browser opens six for each page.
   Guard guard{};  // Called with the headers, before the body is read; null: all are accepted.
 };
 
 // Serves pages and feeds by libmicrohttpd, which is driven by the program's own loop and has no thread. HTTPS is TLS 1.2 or
-// 1.3, with a key for each session and authenticated encryption alone (RFC 9325). A path with a zero byte gets 400.
-// One thread, that of the loop. No call blocks. A connection is closed whose request is not whole within
-// 10 s, whose reply is not received within 30 s, or whose feed receives nothing for 30 s.
+// 1.3, with a key for each session and authenticated encryption alone (RFC 9325). A path with a zero byte
+// gets 400. One thread, that of the loop. No call blocks. A connection is closed whose request is not whole
+// within 10 s, whose reply is not received within 30 s, or whose feed receives nothing for 30 s.
 class HttpServer {
  public:
   using Answer = std::variant<Reply, Feed*>;  // A Feed must outlive the server.

@@ -8,8 +8,8 @@
 
 namespace kaori::web {
 
-// SO_REUSEADDR lets a program that was started again have its port at once, though connections of the one before
-// still linger.
+// SO_REUSEADDR lets a program that was started again have its port at once, though connections of the one
+// before still linger.
 Result<UniqueFd> ListenForVisitors(std::uint16_t port, Reach reach, const std::string& address) {
   const std::string of_reach = reach == Reach::kThisMachine ? "127.0.0.1" : "0.0.0.0";
   const std::string& at = address.empty() ? of_reach : address;

@@ -18,7 +18,8 @@ namespace {
 constexpr std::uint32_t kImageInRam = 0x20000000;
 // The first stage's own code begins above.
 constexpr std::uint32_t kRoomForImage = 0x3C000;
-// An image that does not come so far as to feed the watchdog itself uses up a try, and the other slot's turn comes.
+// An image that does not come so far as to feed the watchdog itself uses up a try, and the other slot's turn
+// comes.
 constexpr std::uint32_t kImageFeedsWithinMs = 8000;
 
 [[noreturn]] void Start(std::span<const std::uint8_t> image) {

@@ -17,8 +17,8 @@ struct AxisEnds {
 // Whether there is a way from each end to the centre. A file that says otherwise is not used.
 bool IsValid(const AxisEnds& ends);
 
-// Sums four codes, takes the median of the last three sums, and goes half of the way to it: 4000 codes a second make 1000
-// values, less than 2 ms old. One side.
+// Sums four codes, takes the median of the last three sums, and goes half of the way to it: 4000 codes a
+// second make 1000 values, less than 2 ms old. One side.
 class AxisFilter {
  public:
   // One code of 12 bits. True: there is a new value.
@@ -49,7 +49,8 @@ class AxisTeacher {
  public:
   explicit AxisTeacher(std::uint32_t rest_q4);
   void See(std::uint32_t value_q4);
-  // The ends that were seen, a little inside of them so that both are reached. Not IsValid where nothing moved.
+  // The ends that were seen, a little inside of them so that both are reached. Not IsValid where nothing
+  // moved.
   AxisEnds ends() const;
 
  private:

@@ -2,8 +2,8 @@
 
 namespace kaori::surface {
 
-// States wait in a ring until reports have told them. One more is kept only where a button would otherwise lose
-// an edge; without a host nobody waits for edges, and the newest state is enough.
+// States wait in a ring until reports have told them. One more is kept only where a button would otherwise
+// lose an edge; without a host nobody waits for edges, and the newest state is enough.
 void ButtonLog::Note(std::uint32_t pressed, bool hosted) {
   if (pressed == newest()) return;
   if (count_ == 0) return Append(pressed);
@@ -30,8 +30,8 @@ std::uint32_t ButtonLog::Next() {
   return told_;
 }
 
-// States that no host fetched are dropped, for they were meant for one that has gone. One report with the newest
-// state takes their place; where all buttons are up and nothing waited, none is needed.
+// States that no host fetched are dropped, for they were meant for one that has gone. One report with the
+// newest state takes their place; where all buttons are up and nothing waited, none is needed.
 void ButtonLog::Restart() {
   const std::uint32_t pressed = newest();
   const bool waits = !empty();

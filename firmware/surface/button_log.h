@@ -7,10 +7,12 @@
 
 namespace kaori::surface {
 
-// A button that went down and up again between two reports gets both its reports; what changes beside it shares them. One side.
+// A button that went down and up again between two reports gets both its reports; what changes beside it
+// shares them. One side.
 class ButtonLog {
  public:
-  // Beyond this many states edges merge: a host that is away for a third of a second loses none of a person's.
+  // Beyond this many states edges merge: a host that is away for a third of a second loses none of a
+  // person's.
   static constexpr std::size_t kStates = 64;
 
   // Bit n of `pressed`: button n is pressed now. Where no host listens, all shares one report.
@@ -22,8 +24,8 @@ class ButtonLog {
   // What the last report said, and how things stand.
   std::uint32_t told() const { return told_; }
   std::uint32_t newest() const { return count_ == 0 ? told_ : at(count_ - 1); }
-  // A host came that knows nothing, or only what was told before: one report says how things stand, where a button is
-  // pressed or something waited.
+  // A host came that knows nothing, or only what was told before: one report says how things stand, where a
+  // button is pressed or something waited.
   void Restart();
 
  private:

@@ -6,8 +6,8 @@ namespace kaori::surface {
 
 std::uint32_t Buttons::Look(std::uint32_t closed) {
   const std::uint32_t contradicted = closed ^ pressed_;
-  // Adds one to the counter of each switch that contradicts, and clears the others; bits in which the counter then is
-  // another number than the two that are waited for drop out.
+  // Adds one to the counter of each switch that contradicts, and clears the others; bits in which the counter
+  // then is another number than the two that are waited for drop out.
   std::uint32_t carry = contradicted;
   std::uint32_t at_press = contradicted & ~pressed_;
   std::uint32_t at_release = contradicted & pressed_;

@@ -67,8 +67,8 @@ std::size_t DialBox::NextInput(std::span<std::uint8_t> into) {
   return wire::kDialBoxReportBytes;
 }
 
-// A host that comes back is told how the buttons stand; turns that were made without one are told as well, since
-// the positions that reports have told do not change meanwhile.
+// A host that comes back is told how the buttons stand; turns that were made without one are told as well,
+// since the positions that reports have told do not change meanwhile.
 void DialBox::SetHost(Host host) {
   if (host == Host::kThere && host_ == Host::kGone) log_.Restart();
   if (host == Host::kGone && host_ != Host::kGone) ticks_alone_ = 0;

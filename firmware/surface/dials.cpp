@@ -3,8 +3,8 @@
 namespace kaori::surface {
 namespace {
 
-// What a step from the state in the row to the state in the column counts; a state is A + 2 B. Clockwise A comes first:
-// 0, 1, 3, 2. kDouble: two counts, and either way is as likely.
+// What a step from the state in the row to the state in the column counts; a state is A + 2 B. Clockwise A
+// comes first: 0, 1, 3, 2. kDouble: two counts, and either way is as likely.
 constexpr std::int8_t kDouble = 2;
 constexpr std::int8_t kSteps[4][4] = {
     {0, +1, -1, kDouble},
@@ -20,8 +20,8 @@ void Add(std::atomic<std::uint32_t>& counter, std::uint32_t counts) {
 
 }  // namespace
 
-// In the interrupt, 40 000 times a second: most looks end at the comparison of all lines at once. Positions are
-// unknown before the first look, so that it counts nothing.
+// In the interrupt, 40 000 times a second: most looks end at the comparison of all lines at once. Positions
+// are unknown before the first look, so that it counts nothing.
 void Dials::Look(DialLines lines) {
   if (!looked_) {
     before_ = lines;
@@ -41,8 +41,8 @@ void Dials::Look(DialLines lines) {
   }
 }
 
-// Where both lines changed the position stays, and only the counter of double steps moves. `steps_` is written
-// last and with release: who reads it with acquire sees the positions that it stands for.
+// Where both lines changed the position stays, and only the counter of double steps moves. `steps_` is
+// written last and with release: who reads it with acquire sees the positions that it stands for.
 void Dials::Step(std::size_t dial, unsigned before, unsigned now) {
   const std::int8_t step = kSteps[before][now];
   if (step == kDouble) {

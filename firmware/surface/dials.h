@@ -13,12 +13,12 @@ namespace kaori::surface {
 // The lines of all dials as one look sees them: bit 2n is line A of dial n, bit 2n + 1 its line B.
 using DialLines = std::uint16_t;
 
-// Counts every edge of both lines. Nothing is debounced: a contact that chatters on one line goes one count forth and one
-// back. A dial of which both lines changed between two looks has gone two counts, and nobody knows which way: such a
-// double step is counted as one and moves nothing.
+// Counts every edge of both lines. Nothing is debounced: a contact that chatters on one line goes one count
+// forth and one back. A dial of which both lines changed between two looks has gone two counts, and nobody
+// knows which way: such a double step is counted as one and moves nothing.
 //
-// Look is called by one side, an interrupt perhaps; what the other side reads is written by plain stores of single words,
-// so no lock is needed, and no read-modify-write, which this core does not have.
+// Look is called by one side, an interrupt perhaps; what the other side reads is written by plain stores of
+// single words, so no lock is needed, and no read-modify-write, which this core does not have.
 class Dials {
  public:
   // The looking side. The first look only learns where the lines stand.

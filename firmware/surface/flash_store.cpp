@@ -24,8 +24,8 @@ std::uint32_t CopyAt(std::uint32_t number) {
   return kStoreAt + number * kSectorBytes;
 }
 
-// A copy whose check fails was cut off while it was written, and is none. The length is looked at first: it says
-// how far the check reaches.
+// A copy whose check fails was cut off while it was written, and is none. The length is looked at first: it
+// says how far the check reaches.
 std::optional<Copy> ReadCopy(const Flash& flash, std::uint32_t number) {
   const auto page = flash.Read(CopyAt(number), kPageBytes);
   const std::size_t length = wire::GetU16(page, 8);

@@ -5,8 +5,9 @@
 
 namespace kaori::surface {
 
-// A period has 15 ticks: brightness b lights the lamps in b of them, in runs of 8, 4, 2 and 1 as the bits of b say. At 4000
-// ticks a second a period is 3.75 ms (267 Hz), which no eye and no camera's picture of a face sees. One side.
+// A period has 15 ticks: brightness b lights the lamps in b of them, in runs of 8, 4, 2 and 1 as the bits of
+// b say. At 4000 ticks a second a period is 3.75 ms (267 Hz), which no eye and no camera's picture of a face
+// sees. One side.
 class Lamps {
  public:
   static constexpr std::uint8_t kBrightest = 15;

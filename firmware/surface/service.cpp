@@ -17,8 +17,8 @@ wire::SurfaceStatus Service::Status(std::uint32_t double_steps) const {
           .chip_id = unit_.chip_id};
 }
 
-// Every argument is looked at before anything changes. A restart only sets a flag: the answer to this very command
-// has to leave first.
+// Every argument is looked at before anything changes. A restart only sets a flag: the answer to this very
+// command has to leave first.
 bool Service::Accept(const wire::SurfaceCommand& command, Lamps& lamps) {
   if (command.length > wire::kSurfaceDataBytes) return false;
   switch (command.operation) {

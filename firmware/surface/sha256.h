@@ -10,7 +10,8 @@ namespace kaori::surface {
 
 using Sha256Digest = std::array<std::uint8_t, 32>;
 
-// FIPS 180-4, for messages of less than 512 MiB. The tests compare it with the standard's examples and with libsodium's. One side.
+// FIPS 180-4, for messages of less than 512 MiB. The tests compare it with the standard's examples and with
+// libsodium's. One side.
 class Sha256 {
  public:
   Sha256& Update(std::span<const std::uint8_t> bytes);

@@ -74,8 +74,8 @@ std::optional<SlotHeader> ReadHeader(const Flash& flash, Slot slot) {
   return header;
 }
 
-// One page is programmed and none erased: the slot's first sector must be blank. A cut within it leaves a header
-// whose check fails, which counts as none.
+// One page is programmed and none erased: the slot's first sector must be blank. A cut within it leaves a
+// header whose check fails, which counts as none.
 void WriteHeader(Flash& flash, Slot slot, const SlotHeader& header) {
   std::array<std::uint8_t, kCheckInHeader + kCheckBytes> bytes{};
   wire::PutU32(bytes, 0, kMagic);
@@ -103,9 +103,10 @@ void Keep(Flash& flash, Slot slot) {
   if (!IsKept(flash, slot)) Clear(flash, slot, kKeptInRecord);
 }
 
-// The newest whole image, unless it was tried three times without saying that it is well; then the one before.
-// Where both have used up their tries the newest is started all the same: a box that may not play is worse than
-// one that tries again. A try is written down before it is made, so that an image that hangs counts.
+// The newest whole image, unless it was tried three times without saying that it is well; then the one
+// before. Where both have used up their tries the newest is started all the same: a box that may not play is
+// worse than one that tries again. A try is written down before it is made, so that an image that hangs
+// counts.
 std::optional<Slot> Choose(Flash& flash) {
   std::array<Candidate, 2> whole{};
   std::size_t count = 0;

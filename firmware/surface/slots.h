@@ -10,12 +10,14 @@
 
 namespace kaori::surface {
 
-// A slot: a page with the header, a page with the record, and from the second sector on the image, which is linked for RAM.
+// A slot: a page with the header, a page with the record, and from the second sector on the image, which is
+// linked for RAM.
 //
 //   header  0 u32 "KSF1", 4 u32 generation, 8 SurfaceImage (44 bytes), 52 u8[4] the beginning of the SHA-256 of 0..51
 //   record  0 u8[3] tries: a byte in which any bit is 0 is used up; 3 u8: 0 is kept
 //
-// The header is written last, so that a slot without a whole image has none. Bits of the record are only ever cleared.
+// The header is written last, so that a slot without a whole image has none. Bits of the record are only ever
+// cleared.
 enum class Slot : std::uint8_t { kA, kB };
 
 inline constexpr unsigned kTries = 3;
@@ -42,8 +44,9 @@ std::span<const std::uint8_t> Image(const Flash& flash, Slot slot, const wire::S
 bool IsKept(const Flash& flash, Slot slot);
 void Keep(Flash& flash, Slot slot);
 
-// What the first stage starts: the newest whole image that is kept or has a try left, of which one is used up then. Where
-// there is none such, the newest that is whole: a device that nobody confirms goes on playing. Nothing: no slot has one.
+// What the first stage starts: the newest whole image that is kept or has a try left, of which one is used up
+// then. Where there is none such, the newest that is whole: a device that nobody confirms goes on playing.
+// Nothing: no slot has one.
 std::optional<Slot> Choose(Flash& flash);
 
 }  // namespace kaori::surface

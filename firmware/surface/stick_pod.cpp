@@ -16,7 +16,8 @@ constexpr std::uint32_t kButtonMask = (1U << wire::kStickPodButtons) - 1;
 // Of one axis in flash: three numbers of 16 bits.
 constexpr std::size_t kEndsBytes = 6;
 
-// By the four switches of a hat, up 1, right 2, down 4, left 8: two neighbours are the way between them, all else is none.
+// By the four switches of a hat, up 1, right 2, down 4, left 8: two neighbours are the way between them, all
+// else is none.
 constexpr std::uint8_t kNowhere = wire::kHatCentred;
 constexpr std::array<std::uint8_t, 16> kHats{
     kNowhere, 0, 2, 1, 4, kNowhere, 3, kNowhere, 6, 7, kNowhere, kNowhere, 5, kNowhere, kNowhere, kNowhere};
@@ -103,8 +104,8 @@ std::size_t StickPod::Answer(ReportKind kind, std::span<std::uint8_t> into) {
   return wire::kSurfaceFeatureBytes;
 }
 
-// SET_REPORT. Calibration is the pod's own command, 1 for its beginning and 0 for its end; all others are those
-// that every surface has. What is unknown, or of another length, is refused and changes nothing.
+// SET_REPORT. Calibration is the pod's own command, 1 for its beginning and 0 for its end; all others are
+// those that every surface has. What is unknown, or of another length, is refused and changes nothing.
 bool StickPod::Accept(ReportKind kind, std::span<const std::uint8_t> report) {
   if (kind != ReportKind::kFeature || report.size() != wire::kSurfaceFeatureBytes) return false;
   const auto command = wire::DecodeSurfaceCommand(report.first<wire::kSurfaceFeatureBytes>());
@@ -113,8 +114,9 @@ bool StickPod::Accept(ReportKind kind, std::span<const std::uint8_t> report) {
   return service_.Accept(command, lamps_);
 }
 
-// Between the two commands a person moves every control to its ends. What was learnt counts for all axes or for
-// none: one that was not moved is not valid, and a pod that is half taught would be worse than an untaught one.
+// Between the two commands a person moves every control to its ends. What was learnt counts for all axes or
+// for none: one that was not moved is not valid, and a pod that is half taught would be worse than an
+// untaught one.
 bool StickPod::Calibrate(bool begins) {
   if (begins) {
     teachers_ = {AxisTeacher(filters_[kX].value_q4()), AxisTeacher(filters_[kY].value_q4()),

@@ -23,7 +23,8 @@ class StickPod final : public HidFunction {
   static constexpr std::uint32_t kTicksPerSecond = 4'000;
   enum Axis : std::uint8_t { kX, kY, kTwist, kSlider };
   static constexpr std::size_t kAxes = 4;
-  // Codes of 12 bits, in the order of Axis. They grow to the right, towards the operator, clockwise and upwards.
+  // Codes of 12 bits, in the order of Axis. They grow to the right, towards the operator, clockwise and
+  // upwards.
   using Codes = std::array<std::uint16_t, kAxes>;
 
   // Borrows both, of which either may be none: then nothing is kept, and updates are refused.

@@ -18,8 +18,8 @@ bool Updater::Begin(const wire::SurfaceImage& image) {
   return true;
 }
 
-// Bytes come in order and without gaps; pages of flash are written as they fill. A page that does not read back
-// as it was written ends the update, and the host has to begin again.
+// Bytes come in order and without gaps; pages of flash are written as they fill. A page that does not read
+// back as it was written ends the update, and the host has to begin again.
 bool Updater::Data(std::uint32_t offset, std::span<const std::uint8_t> bytes) {
   if (step_ != Step::kTaking || offset != taken_) return false;
   if (bytes.size() > image_.length - taken_) return false;

@@ -18,8 +18,9 @@ struct Running {
   std::uint32_t oldest_version = 0;  // Older images are refused: major * 65536 + minor.
 };
 
-// Begin, Data in order, End. What comes out of order, or is for another device, is refused and changes nothing in flash. The
-// slot that runs is never written but for Keep. One side; a call takes as long as the flash needs, up to 0.4 s.
+// Begin, Data in order, End. What comes out of order, or is for another device, is refused and changes
+// nothing in flash. The slot that runs is never written but for Keep. One side; a call takes as long as the
+// flash needs, up to 0.4 s.
 class Updater {
  public:
   // Borrows the flash.

@@ -99,8 +99,8 @@ void WriteString(const UsbIdentity& identity, std::uint8_t index, Writer& writer
 
 }  // namespace
 
-// Returns 0 for what the device has not; the control transfer is then refused with a stall. `into` must have room
-// for the longest descriptor: nothing here looks at its end.
+// Returns 0 for what the device has not; the control transfer is then refused with a stall. `into` must have
+// room for the longest descriptor: nothing here looks at its end.
 std::size_t WriteDescriptor(const UsbIdentity& identity, DescriptorType type, std::uint8_t index,
                             std::span<std::uint8_t> into) {
   Writer writer(into);

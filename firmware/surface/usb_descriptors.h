@@ -35,8 +35,9 @@ enum class DescriptorType : std::uint8_t {
 // The longest that WriteDescriptor makes: a string of 31 letters.
 inline constexpr std::size_t kMostDescriptorBytes = 64;
 
-// Puts a descriptor into `into`, which has kMostDescriptorBytes, and returns its length; 0: there is none. The report
-// descriptor is not made but lies in `identity`. Strings: 0 the languages, 1 the maker, 2 the name, 3 the chip's id in hex.
+// Puts a descriptor into `into`, which has kMostDescriptorBytes, and returns its length; 0: there is none.
+// The report descriptor is not made but lies in `identity`. Strings: 0 the languages, 1 the maker, 2 the
+// name, 3 the chip's id in hex.
 std::size_t WriteDescriptor(const UsbIdentity& identity, DescriptorType type, std::uint8_t index,
                             std::span<std::uint8_t> into);
 

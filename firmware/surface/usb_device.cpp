@@ -66,8 +66,8 @@ void UsbDevice::TellHost() {
   function_.SetHost(configuration_ == 0 ? Host::kGone : suspended_ ? Host::kAsleep : Host::kThere);
 }
 
-// The beginning of a control transfer: bmRequestType, bRequest, wValue, wIndex, wLength (USB 2.0, 9.3). A host
-// may begin one at any time, also in the middle of another.
+// The beginning of a control transfer: bmRequestType, bRequest, wValue, wIndex, wLength (USB 2.0, 9.3). A
+// host may begin one at any time, also in the middle of another.
 void UsbDevice::HandleSetup(std::span<const std::uint8_t, 8> packet) {
   // Whatever the transfer before has armed would be taken for the answer to this one.
   port_.CancelControl();
@@ -76,7 +76,8 @@ void UsbDevice::HandleSetup(std::span<const std::uint8_t, 8> packet) {
   received_ = 0;
   if ((setup_.type & kToHost) != 0) {
     if (!Answer()) return Finish(false);
-    // A host that wants no byte of the answer gets a transfer without data, whose status goes its way (8.5.3).
+    // A host that wants no byte of the answer gets a transfer without data, whose status goes its way
+    // (8.5.3).
     if (setup_.length == 0) return Finish(true);
     ends_short_ = answer_.size() < setup_.length;
     answer_ = answer_.first(std::min<std::size_t>(answer_.size(), setup_.length));
@@ -145,8 +146,8 @@ bool UsbDevice::AnswerBytes(std::initializer_list<std::uint8_t> bytes) {
   return true;
 }
 
-// Requests to the host, by whom they ask: device, interface, endpoint, HID. False stalls the transfer, which is
-// how a device says that it does not know a request (9.2.7).
+// Requests to the host, by whom they ask: device, interface, endpoint, HID. False stalls the transfer, which
+// is how a device says that it does not know a request (9.2.7).
 bool UsbDevice::Answer() {
   switch (setup_.type & ~kToHost) {
     case kDevice:
@@ -224,7 +225,8 @@ bool UsbDevice::Do() {
       return DoForEndpoint();
     case kHidInterface:
       if (!configured() || setup_.index != 0) return false;
-      // Other idle rates would have reports come without a change: that is refused (7.2.4 leaves it to the device).
+      // Other idle rates would have reports come without a change: that is refused (7.2.4 leaves it to the
+      // device).
       if (setup_.request == kSetIdle) return High(setup_.value) == 0;
       if (setup_.request != kSetReport || Low(setup_.value) != 0 || !IsReportKind(High(setup_.value)))
         return false;
@@ -263,8 +265,8 @@ bool UsbDevice::SetConfiguration(std::uint16_t value) {
   return true;
 }
 
-// An input report is made only when the endpoint is free for it, so that what the host fetches is as new as it
-// can be: reports do not queue behind each other.
+// An input report is made only when the endpoint is free for it, so that what the host fetches is as new as
+// it can be: reports do not queue behind each other.
 void UsbDevice::Poll() {
   if (!configured() || suspended_ || input_halted_ || !port_.IsInputFree()) return;
   std::array<std::uint8_t, kPacketBytes> report;

@@ -13,8 +13,8 @@
 
 namespace kaori::surface {
 
-// A controller's driver tells it what the bus did; it answers by way of the port. Whatever comes, in whatever order and
-// length, ends in an answer, a STALL, or the wait for a SETUP. One side.
+// A controller's driver tells it what the bus did; it answers by way of the port. Whatever comes, in whatever
+// order and length, ends in an answer, a STALL, or the wait for a SETUP. One side.
 class UsbDevice {
  public:
   // Borrows both.

@@ -6,11 +6,13 @@
 
 namespace kaori::surface {
 
-// Endpoint 0 both ways, and one interrupt endpoint each way, 64 bytes a packet. None of the calls waits. One side.
+// Endpoint 0 both ways, and one interrupt endpoint each way, 64 bytes a packet. None of the calls waits. One
+// side.
 class UsbPort {
  public:
-  // Endpoint 0. The first packet each way after a SETUP is DATA1, and they alternate from there (USB 2.0, 8.6.1).
-  // Takes back what was armed both ways for the transfer before: a SETUP may come in the middle of one.
+  // Endpoint 0. The first packet each way after a SETUP is DATA1, and they alternate from there (USB 2.0,
+  // 8.6.1). Takes back what was armed both ways for the transfer before: a SETUP may come in the middle of
+  // one.
   virtual void CancelControl() = 0;
   // Arms a packet for the host to fetch; an empty one is a whole transfer's status.
   virtual void SendControl(std::span<const std::uint8_t> packet) = 0;

@@ -1,7 +1,7 @@
 // The bytes of our dial-and-button box: 8 relative dials, 32 buttons, 32 lamps, version and serial number.
 //
-// The reports have no report ids (HID 1.11, 5.6), so a report is its bytes alone; hidraw wants a 0 before an output or
-// a feature report. All numbers are little-endian.
+// The reports have no report ids (HID 1.11, 5.6), so a report is its bytes alone; hidraw wants a 0 before an
+// output or a feature report. All numbers are little-endian.
 //
 //   input report, 20 bytes, whenever something changed
 //      0  u32     bit n: button n is held (usages Button 1..32)
@@ -10,8 +10,8 @@
 //      0  u32     bit n: lamp n is lit
 //   feature report, 64 bytes: see surface_feature.h
 //
-// Source of the descriptor's items: HID 1.11, 6.2.2; of its usages: HID Usage Tables 1.3, pages 01 (Generic Desktop)
-// and 09 (Button).
+// Source of the descriptor's items: HID 1.11, 6.2.2; of its usages: HID Usage Tables 1.3, pages 01 (Generic
+// Desktop) and 09 (Button).
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // The bytes of a keyboard that a BIOS reads by the boot protocol and everyone else with n-key rollover.
 //
-// A report begins with the 8 bytes of the boot protocol (HID 1.11, B.1), which the descriptor declares as modifiers and
-// padding, and goes on with one bit for each key.
+// A report begins with the 8 bytes of the boot protocol (HID 1.11, B.1), which the descriptor declares as
+// modifiers and padding, and goes on with one bit for each key.
 //
 //   input report, 36 bytes, whenever a key changed
 //      0  u8       modifiers: bit n is the key of usage E0 + n (left control .. right GUI)

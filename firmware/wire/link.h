@@ -1,10 +1,11 @@
 // The local link: how the simulator's devices on this machine talk to the drivers.
 //
-// A link folder holds one Unix socket (SOCK_SEQPACKET) for each device, named by its kind and its port: "hid.<port>",
-// "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>", "lines.<port>". The device listens and the
-// driver connects; to unplug the device closes and unlinks. A newer connection of a driver replaces an older one. The device
-// greets first, with a hello whose first word names the kind. Pixels lie in shared memory, whose descriptor comes
-// beside the hello. All numbers are little-endian; a time is CLOCK_MONOTONIC in ns (u64). The format is our own.
+// A link folder holds one Unix socket (SOCK_SEQPACKET) for each device, named by its kind and its port:
+// "hid.<port>", "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>", "lines.<port>".
+// The device listens and the driver connects; to unplug the device closes and unlinks. A newer connection of
+// a driver replaces an older one. The device greets first, with a hello whose first word names the kind.
+// Pixels lie in shared memory, whose descriptor comes beside the hello. All numbers are little-endian; a time
+// is CLOCK_MONOTONIC in ns (u64). The format is our own.
 //
 //   HID, device to driver
 //     hello     0  u32 'KHID'   4  u16 vendor   6  u16 product   8  u16 bytes of the name   10  u16 bytes of the

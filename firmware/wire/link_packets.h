@@ -1,4 +1,5 @@
-// The local link's packets as structs, encoded and decoded. The byte tables are in link.h. No operating system.
+// The local link's packets as structs, encoded and decoded. The byte tables are in link.h. No operating
+// system.
 #pragma once
 
 #include <array>

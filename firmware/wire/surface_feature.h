@@ -1,4 +1,5 @@
-// The one feature report of our control surfaces: who the device is, how it does, and how it is updated. 64 bytes each way.
+// The one feature report of our control surfaces: who the device is, how it does, and how it is updated. 64
+// bytes each way.
 //
 //   read (GET_REPORT)                               written (SET_REPORT)
 //      0  u16    firmware version, major               0  u8     operation
@@ -13,8 +14,9 @@
 //     20  u8[8]  the chip's id                               20  u8[32]  SHA-256 of the image
 //     28         0
 //
-// What the device refuses it answers with a STALL: an operation that it does not know, an image of another product, too
-// long or too old, data out of order, a wrong hash. Numbers are little-endian. HID 1.11, 7.2.1 and 7.2.2.
+// What the device refuses it answers with a STALL: an operation that it does not know, an image of another
+// product, too long or too old, data out of order, a wrong hash. Numbers are little-endian. HID 1.11, 7.2.1
+// and 7.2.2.
 #pragma once
 
 #include <algorithm>

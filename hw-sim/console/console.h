@@ -28,7 +28,8 @@ namespace kaori::console {
 // without them controls have numbers.
 struct ConsoleOptions {
   std::uint16_t port = 0;  // 0: any free one.
-  // An IPv4 address of this machine, or 0.0.0.0 for all of them; empty: 127.0.0.1 alone. Whoever reaches it plays.
+  // An IPv4 address of this machine, or 0.0.0.0 for all of them; empty: 127.0.0.1 alone. Whoever reaches it
+  // plays.
   std::string listen{};
   Labels labels;
   // Sent to the page; each costs about 3 ms of CPU at 960x540, which the stage
@@ -38,8 +39,8 @@ struct ConsoleOptions {
   int jpeg_quality = 85;
   // What is on stage, as sim::StageMonitor says it, or null. May be empty: the page then shows none.
   std::function<json::Value()> on_stage{};
-  // Makes the call that a line of a page says, as "goto 14". May be empty: no page calls anything then. Errors:
-  // invalid_argument (no such call), those of the way to the box.
+  // Makes the call that a line of a page says, as "goto 14". May be empty: no page calls anything then.
+  // Errors: invalid_argument (no such call), those of the way to the box.
   std::function<Result<void>(std::string_view)> call{};
 };
 
@@ -69,7 +70,8 @@ class Console {
   void PassSoundOn();
   // Sends the state where it differs from the last one, or a second has passed.
   void TellState(Time now);
-  // What the page shows of the devices, as StateJson has it. Remembers which sheet the stage says that the buttons have.
+  // What the page shows of the devices, as StateJson has it. Remembers which sheet the stage says that the
+  // buttons have.
   std::string StateNow();
   // Answers one request; a path that is not known gets 404, another method
   // than GET, HEAD and POST gets 405.
@@ -77,7 +79,8 @@ class Console {
   // Does what a page sent, all of it or nothing. 400 with the fault of the first
   // wrong line, 503 where a cable fails.
   web::Reply AcceptInput(const std::string& lines);
-  // Makes the calls that a page sent, one a line. 400 with the fault of the first wrong line, 503 where no box hears.
+  // Makes the calls that a page sent, one a line. 400 with the fault of the first wrong line, 503 where no
+  // box hears.
   web::Reply AcceptCalls(std::string_view lines);
   // Does the actions in their order and pumps once. Errors: those of Rig::Do.
   Result<void> Do(const std::vector<sim::OperatorAction>& actions);

@@ -13,9 +13,9 @@ namespace kaori::console {
 // Pure: bytes of sound in, packets out. One thread. Real time is the page's
 // business: packets have no stamps.
 //
-// A packet is u32 number of frames, u32 rate in Hz, then the frames, each of two samples of 16 bit (left, right); all of
-// it little-endian. page/sound.js reads it. What was silent because nothing was played is left out: the page plays what
-// comes, a little later than it was heard here.
+// A packet is u32 number of frames, u32 rate in Hz, then the frames, each of two samples of 16 bit (left,
+// right); all of it little-endian. page/sound.js reads it. What was silent because nothing was played is left
+// out: the page plays what comes, a little later than it was heard here.
 class SoundPackets {
  public:
   // At most so much is kept while nobody fetches it: older sound is dropped.

@@ -12,10 +12,11 @@
 
 namespace kaori::sim {
 
-// An operator's hand on the lines of the box's own firmware (firmware/surface): dials whose edges tremble, switches that
-// chatter. Dials 0..7 and buttons 0..31, from the upper left; other numbers are ignored. The hand is quicker than any: what
-// the firmware sees of an action, look by look, it sees within the call. Nothing here knows of a computer: links carry the
-// reports, one in a millisecond, as a full-speed bus does. One thread.
+// An operator's hand on the lines of the box's own firmware (firmware/surface): dials whose edges tremble,
+// switches that chatter. Dials 0..7 and buttons 0..31, from the upper left; other numbers are ignored. The
+// hand is quicker than any: what the firmware sees of an action, look by look, it sees within the call.
+// Nothing here knows of a computer: links carry the reports, one in a millisecond, as a full-speed bus does.
+// One thread.
 class DialBox final : public HidDevice {
  public:
   // Borrows the context.

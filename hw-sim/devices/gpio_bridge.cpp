@@ -106,8 +106,8 @@ std::uint8_t GpioBridge::levels() const {
   return static_cast<std::uint8_t>((~(driven_low | pulled_down_) | driven_high) & 0xFFU);
 }
 
-// Contents as the CP2112's data sheet (AN495) has them, number first. Nothing: no such report, and the request is
-// stalled.
+// Contents as the CP2112's data sheet (AN495) has them, number first. Nothing: no such report, and the
+// request is stalled.
 std::optional<UsbBytes> GpioBridge::Feature(std::uint8_t report) const {
   switch (report) {
     case kGpioConfig:

@@ -1,5 +1,5 @@
-// The appliance's side of a simulated HID device: real report bytes, as they would cross a cable. The verbs of an operator
-// are the devices' own.
+// The appliance's side of a simulated HID device: real report bytes, as they would cross a cable. The verbs
+// of an operator are the devices' own.
 #pragma once
 
 #include <cstdint>

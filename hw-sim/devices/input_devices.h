@@ -21,8 +21,8 @@ struct InputDevices {
   // For every other port than kStickRight it is the left one: the caller asks for a stick's port.
   StickPod& stick(DevicePort port) { return port == DevicePort::kStickRight ? right_stick : left_stick; }
 
-  // Does the action on the device of its port; reports become due, nothing is sent. Verbs that the device does not have,
-  // numbers out of its range, and cables are ignored.
+  // Does the action on the device of its port; reports become due, nothing is sent. Verbs that the device
+  // does not have, numbers out of its range, and cables are ignored.
   void Do(const OperatorAction& action);
 
   // Each is a device of its own; the names are those of PortName.

@@ -1,5 +1,5 @@
-// A simulated keyboard with n-key rollover: its report has a bit for each key, in the form of the boot keyboard of HID 1.11
-// behind it (firmware/wire/keyboard.h).
+// A simulated keyboard with n-key rollover: its report has a bit for each key, in the form of the boot
+// keyboard of HID 1.11 behind it (firmware/wire/keyboard.h).
 #pragma once
 
 #include "firmware/wire/keyboard.h"

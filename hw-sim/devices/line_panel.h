@@ -43,8 +43,8 @@ class LinePanel {
   // Appliance's side. Bit n: the switch of line n is closed.
   std::uint32_t closed() const { return closed_; }
   // The oldest edge that has not been asked for; nothing: none waits. Edges are
-  // stamped when the switch moved. 1024 wait at most: beyond them the oldest is lost that is not the newest of
-  // its line, so that pushes are lost and every line ends at its level.
+  // stamped when the switch moved. 1024 wait at most: beyond them the oldest is lost that is not the newest
+  // of its line, so that pushes are lost and every line ends at its level.
   std::optional<Edge> NextEdge();
   // A host came: it reads the levels, and older edges are gone. A host that left drives nothing.
   void HostCame() { edges_.clear(); }

@@ -75,8 +75,8 @@ struct LipScene {
   LensAndChip camera;
 };
 
-// Draws all of it, over whatever `into` held; five moments where the head moves. The same scene gives the same
-// picture. Pure.
+// Draws all of it, over whatever `into` held; five moments where the head moves. The same scene gives the
+// same picture. Pure.
 void PaintScene(const LipScene& scene, const YuyvPicture& into);
 
 }  // namespace kaori::sim

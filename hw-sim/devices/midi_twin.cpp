@@ -11,7 +11,8 @@ constexpr std::uint8_t kTouchFirstButton = 8;
 
 }  // namespace
 
-// An encoder of the Twister tells each step by itself. The clock ticks in between, as a surface that is a slave passes it on.
+// An encoder of the Twister tells each step by itself. The clock ticks in between, as a surface that is a
+// slave passes it on.
 void MidiTwin::Turn(int encoder, int steps) {
   if (encoder < 0 || encoder >= static_cast<int>(places_.size())) return;
   const auto number = static_cast<std::uint8_t>(encoder);

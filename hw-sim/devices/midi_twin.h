@@ -9,8 +9,9 @@
 
 namespace kaori::sim {
 
-// kXTouchMini: a Behringer X-Touch Mini as it ships, whose encoders have dead ends. kTwister: a DJ TechTools Midi Fighter
-// Twister, whose encoders tell turns once it was put into its native mode, and nothing before. One thread.
+// kXTouchMini: a Behringer X-Touch Mini as it ships, whose encoders have dead ends. kTwister: a DJ TechTools
+// Midi Fighter Twister, whose encoders tell turns once it was put into its native mode, and nothing before.
+// One thread.
 class MidiTwin {
  public:
   enum class Kind : std::uint8_t { kXTouchMini, kTwister };

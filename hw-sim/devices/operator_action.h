@@ -1,5 +1,5 @@
-// One action of an operator on a device, or on its cable, as a plain value: scenarios are made of these, and so is what a
-// page sends and what a recording keeps.
+// One action of an operator on a device, or on its cable, as a plain value: scenarios are made of these, and
+// so is what a page sends and what a recording keeps.
 #pragma once
 
 #include <cstdint>

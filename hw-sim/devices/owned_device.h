@@ -21,8 +21,8 @@ enum class OwnedKind : std::uint8_t {
   kStreamDeck
 };
 
-// One device. Verbs that it has no part for do nothing. Reports leave in the order of what was done, one for each change: the
-// real ones are slower than a hand in a test. One thread.
+// One device. Verbs that it has no part for do nothing. Reports leave in the order of what was done, one for
+// each change: the real ones are slower than a hand in a test. One thread.
 class OwnedDevice final : public HidDevice {
  public:
   explicit OwnedDevice(OwnedKind kind);

@@ -62,8 +62,8 @@ std::size_t YuyvToNv12(std::span<const std::uint8_t> yuyv, int width_px, int hei
   return width * height * 3 / 2;
 }
 
-// JPEG has the full range of a byte (JFIF), YUYV the narrow one of BT.601: planes are widened first. Returns 0
-// where the picture cannot be made or does not fit.
+// JPEG has the full range of a byte (JFIF), YUYV the narrow one of BT.601: planes are widened first. Returns
+// 0 where the picture cannot be made or does not fit.
 std::size_t YuyvToJpeg(std::span<const std::uint8_t> yuyv, int width_px, int height_px,
                        std::span<std::uint8_t> into, int quality) {
   Planes planes = Separate(yuyv);

@@ -12,9 +12,9 @@
 
 namespace kaori::sim {
 
-// The boxes that drivers/decode/serial_dials.h knows, from their own side: what is written here was written from the same
-// public descriptions, and shares no code. A byte takes a 960th of a second on the line. Dials 0..7, buttons 0..31; other
-// numbers are ignored. One thread.
+// The boxes that drivers/decode/serial_dials.h knows, from their own side: what is written here was written
+// from the same public descriptions, and shares no code. A byte takes a 960th of a second on the line. Dials
+// 0..7, buttons 0..31; other numbers are ignored. One thread.
 class SerialDialBox {
  public:
   enum class Kind : std::uint8_t { kSgi, kSpectragraphics, kDls80 };

@@ -11,7 +11,8 @@ namespace {
 
 // The ends of a pod that nobody has calibrated.
 constexpr surface::AxisEnds kEnds;
-// About the middle this part of the way, in sixteenths of a sum, is still the middle (firmware/surface/axis.h).
+// About the middle this part of the way, in sixteenths of a sum, is still the middle
+// (firmware/surface/axis.h).
 constexpr int kRestOf = 100;
 constexpr unsigned kFirstHatSwitch = 12;
 // Which switches a hat closes by its direction: up 1, right 2, down 4, left 8.

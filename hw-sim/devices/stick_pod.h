@@ -12,9 +12,10 @@
 
 namespace kaori::sim {
 
-// An operator's hand on the potentiometers and switches of the pod's own firmware (firmware/surface). It does not spring back
-// by itself: whoever lets it go moves it to the middle. Positions are as fine as the pod's converter tells them, four codes of
-// 12 bits at a time. The hand is quicker than any: what the firmware sees of an action it sees within the call. One thread.
+// An operator's hand on the potentiometers and switches of the pod's own firmware (firmware/surface). It does
+// not spring back by itself: whoever lets it go moves it to the middle. Positions are as fine as the pod's
+// converter tells them, four codes of 12 bits at a time. The hand is quicker than any: what the firmware sees
+// of an action it sees within the call. One thread.
 class StickPod final : public HidDevice {
  public:
   // `port` is kStickLeft or kStickRight. Borrows the context.

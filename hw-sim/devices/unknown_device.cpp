@@ -9,7 +9,8 @@ constexpr std::uint16_t kUnknownPacketBytes = 512;  // Of bulk transfers at high
 
 }  // namespace
 
-// Interfaces are numbered from 0 in their order. Interface n has the one endpoint n + 1, bulk and to the host.
+// Interfaces are numbered from 0 in their order. Interface n has the one endpoint n + 1, bulk and to the
+// host.
 UnknownDevice::UnknownDevice(std::uint16_t vendor, std::uint16_t product,
                              std::vector<UsbInterface> interfaces) {
   UsbBytes contents;

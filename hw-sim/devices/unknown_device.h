@@ -1,4 +1,5 @@
-// A simulated USB device that offers interfaces by its descriptors and does nothing: what somebody plugs in whom nobody knows.
+// A simulated USB device that offers interfaces by its descriptors and does nothing: what somebody plugs in
+// whom nobody knows.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,9 @@
 
 namespace kaori::sim {
 
-// Each interface has one bulk endpoint, which never says anything: what needs none is of no use as storage or network, and
-// udev passes over an interface at the very end of the descriptors. Standard requests alone are answered. One thread.
+// Each interface has one bulk endpoint, which never says anything: what needs none is of no use as storage or
+// network, and udev passes over an interface at the very end of the descriptors. Standard requests alone are
+// answered. One thread.
 class UnknownDevice final : public UsbDevice {
  public:
   // Who it says it is, and one interface for each of `interfaces`, which are numbered anew in that order.

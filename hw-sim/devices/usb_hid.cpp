@@ -60,8 +60,8 @@ UsbBytes Configuration(std::size_t report_descriptor_bytes, const HidShape& shap
 
 }  // namespace
 
-// Reads only what a USB host must be told besides the descriptor. Items are stepped over by their length; long
-// items, which no device here has, are not known.
+// Reads only what a USB host must be told besides the descriptor. Items are stepped over by their length;
+// long items, which no device here has, are not known.
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor) {
   HidShape shape;
   shape.is_keyboard = std::ranges::equal(

@@ -24,9 +24,10 @@ Result<void> WriteWav(const std::string& path, std::span<const std::int16_t> sam
 // those of the file, invalid_argument (not 16 bits at that rate).
 Result<std::vector<std::int16_t>> ReadWav(const std::string& path);
 
-// How well the middle tenth of a second of `said` fits the best position in `heard`: 1 exactly, about 0 not at
-// all. Louder or softer makes no difference, nor does a sign that is turned round: it is the cosine of the angle
-// between both, as vectors of samples. Every position is tried, so the time grows with the length of `heard`.
+// How well the middle tenth of a second of `said` fits the best position in `heard`: 1 exactly, about 0 not
+// at all. Louder or softer makes no difference, nor does a sign that is turned round: it is the cosine of the
+// angle between both, as vectors of samples. Every position is tried, so the time grows with the length of
+// `heard`.
 double Likeness(std::span<const std::int16_t> said, std::span<const std::int16_t> heard);
 
 }  // namespace kaori::sim

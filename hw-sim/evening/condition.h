@@ -1,4 +1,5 @@
-// What is looked for on the board while an evening plays: "cue 14", "camera stale", "level fade 1.1". The words of a running order.
+// What is looked for on the board while an evening plays: "cue 14", "camera stale", "level fade 1.1". The
+// words of a running order.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +48,8 @@ struct Condition {
   std::string words;  // As it was written.
 };
 
-// Reads one; names of cues and levels are those of the show. A problem is added to the tokenizer's where there is none.
+// Reads one; names of cues and levels are those of the show. A problem is added to the tokenizer's where
+// there is none.
 Condition ReadCondition(Tokenizer& tokens, const show::Show& show);
 
 // Counters as they stood when a condition was begun; what is told of as "since" is compared with them.

@@ -26,7 +26,8 @@ namespace {
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-// The programs ask for no less often than 10 ms; most of an evening's time goes to looking whether a socket has something.
+// The programs ask for no less often than 10 ms; most of an evening's time goes to looking whether a socket
+// has something.
 constexpr Duration kTick = 5ms;
 constexpr Duration kLogPatience = 5s;  // Of real time, for the disk.
 constexpr Duration kAfterTheEnd = 1s;  // For what is still due.
@@ -89,7 +90,8 @@ class Evening {
     rehearsal_.SetLog(nullptr);
   }
 
-  // As it is now; the log is not looked at. A full disk loses each part of the log that is closed while it is full.
+  // As it is now; the log is not looked at. A full disk loses each part of the log that is closed while it is
+  // full.
   Verdict Report() const {
     Verdict verdict = verdict_;
     verdict.evenings = 1;
@@ -152,7 +154,8 @@ class Evening {
     if (foot || key) ++verdict_.go_sent;
   }
 
-  // The log's thread has real time, of which there is less here than on a box: it is waited for. False: somebody stops the evening.
+  // The log's thread has real time, of which there is less here than on a box: it is waited for. False:
+  // somebody stops the evening.
   bool EachSecond() {
     const SteadyClock wall;
     for (const Time end = wall.now() + kLogPatience; !log_.recorder().handed().empty() && wall.now() < end;)

@@ -17,8 +17,8 @@ struct EveningOptions {
   std::string folder{};  // For passing files and the show log; made if it is not there, emptied where it is.
   std::uint64_t seed = 1;  // Of what operators do between the order's lines.
   bool improvised = true;  // False: nobody does anything but what the order's lines say.
-  // Of the screen. Few pictures are drawn, since drawing takes nearly all of the time; each frame is performed, logged and
-  // presented all the same.
+  // Of the screen. Few pictures are drawn, since drawing takes nearly all of the time; each frame is
+  // performed, logged and presented all the same.
   int width_px = 160, height_px = 90;
   double hz = 30;
   int draw_one_of = 120;
@@ -26,8 +26,9 @@ struct EveningOptions {
   std::function<bool(const Verdict& so_far)> tell{};
 };
 
-// Takes minutes of processor time. The studio serves one evening after another. The verdict tells of all that the evening did
-// wrong. Errors are those that leave no evening: of the folder, the devices' links and the drawing.
+// Takes minutes of processor time. The studio serves one evening after another. The verdict tells of all that
+// the evening did wrong. Errors are those that leave no evening: of the folder, the devices' links and the
+// drawing.
 Result<Verdict> PlayEvening(const RunningOrder& order, const EveningOptions& options, stage::Studio& studio);
 
 }  // namespace kaori::sim

@@ -24,7 +24,8 @@ constexpr std::array kDials{0, 1, 2, 6};
 // Buttons of the first sheet that call expressions.
 constexpr int kFirstExpression = 10, kLastExpression = 31;
 
-// Numbers are made of the generator's bits alone: the library's distributions differ from one library to another.
+// Numbers are made of the generator's bits alone: the library's distributions differ from one library to
+// another.
 class Improvisation {
  public:
   explicit Improvisation(std::uint64_t seed) : bits_(seed) {}

@@ -1,4 +1,5 @@
-// Makes the incidents of a running order happen to a rehearsal, by what really would: bytes on a link, files on a disk.
+// Makes the incidents of a running order happen to a rehearsal, by what really would: bytes on a link, files
+// on a disk.
 #pragma once
 
 #include <filesystem>
@@ -21,11 +22,12 @@ class Incidents {
   Incidents& operator=(const Incidents&) = delete;
   ~Incidents();
 
-  // The page comes, which stays for the evening: its board is open from then on. Errors: those of StageCaller.
+  // The page comes, which stays for the evening: its board is open from then on. Errors: those of
+  // StageCaller.
   Result<void> Begin() { return Call(kNothing, 1); }
 
-  // Errors: those of the file system, of the links and of the programs that start; an incident that cannot be made is none that
-  // was stood.
+  // Errors: those of the file system, of the links and of the programs that start; an incident that cannot be
+  // made is none that was stood.
   Result<void> Make(const Incident& incident);
 
  private:

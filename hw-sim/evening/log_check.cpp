@@ -55,8 +55,8 @@ class LogCheck {
     return more;
   }
 
-  // Numbers count on from chunk to chunk and from file to file. Frames that the recorder itself has dropped are told of by the
-  // chunk that follows.
+  // Numbers count on from chunk to chunk and from file to file. Frames that the recorder itself has dropped
+  // are told of by the chunk that follows.
   void CountLostParts(const showlog::LogFile& log) {
     for (const showlog::Chunk& chunk : log.chunks()) {
       if (number_ && chunk.head.number > *number_ + 1)

@@ -22,10 +22,10 @@ struct DrawnPicture {
 // The sum of what the studio drew last.
 std::uint64_t SumOfPicture(stage::Studio& studio, stage::SmallImage& into);
 
-// Plays all logs of the folder, and draws anew what is in `pictures`, which are in the order of time; those of a lost part of
-// the log are not compared. Writes frames, replay_bits_differ, pictures, wrong_pictures, log_bytes, log_parts_lost and
-// frame_path_allocations; adds sentences where something differs. Blocks for the disk, and for minutes of processor time.
-// Errors: those of the disk and of the drawing.
+// Plays all logs of the folder, and draws anew what is in `pictures`, which are in the order of time; those
+// of a lost part of the log are not compared. Writes frames, replay_bits_differ, pictures, wrong_pictures,
+// log_bytes, log_parts_lost and frame_path_allocations; adds sentences where something differs. Blocks for
+// the disk, and for minutes of processor time. Errors: those of the disk and of the drawing.
 Result<void> CheckLogs(const std::filesystem::path& folder, const std::vector<DrawnPicture>& pictures,
                        Size size, stage::Studio& studio, Verdict& into);
 

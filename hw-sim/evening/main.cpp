@@ -82,7 +82,8 @@ void Print(const kaori::sim::Verdict& verdict) {
       IsGood(verdict) ? "All is as it must be." : "Not all is as it must be.");
 }
 
-// Evenings until `hours` are played, one at least. What was reached is written also where one of them cannot be played on.
+// Evenings until `hours` are played, one at least. What was reached is written also where one of them cannot
+// be played on.
 int PlayAll(const Settings& settings, kaori::sim::RunningOrder order, kaori::stage::Studio& studio,
             double hours, std::uint64_t seed) {
   kaori::sim::Verdict all;

@@ -107,7 +107,8 @@ class OrderScript {
  public:
   explicit OrderScript(const show::Show& show) : show_(show) {}
 
-  // Lines of the scenario are kept where they stand, and others become empty ones there: its reader counts lines too.
+  // Lines of the scenario are kept where they stand, and others become empty ones there: its reader counts
+  // lines too.
   void ReadLine(std::string_view line, int number) {
     if (!ReadOwn(line, number)) scenario_ += line;
     scenario_ += '\n';
@@ -129,8 +130,8 @@ class OrderScript {
   }
 
  private:
-  // False where the line is the scenario's. Its words are looked at with problems of their own: the scenario's reader tells of
-  // those.
+  // False where the line is the scenario's. Its words are looked at with problems of their own: the
+  // scenario's reader tells of those.
   bool ReadOwn(std::string_view line, int number) {
     std::vector<Problem> unused;
     Tokenizer look(line, number, unused);

@@ -1,4 +1,5 @@
-// The running order of an evening: what operators do (a scenario), what goes wrong, and what must be seen for either.
+// The running order of an evening: what operators do (a scenario), what goes wrong, and what must be seen for
+// either.
 //
 // clang-format off
 //   at 10s line go tap                          any line of a scenario (hw-sim/scenario/reader.h)
@@ -88,7 +89,8 @@ struct RunningOrderRead {
 // Pure. Cues and levels are those of the show.
 RunningOrderRead ReadRunningOrder(std::string_view text, const show::Show& show);
 
-// Reads a file; blocks for the disk. Errors: those of the file; invalid_argument with every problem described.
+// Reads a file; blocks for the disk. Errors: those of the file; invalid_argument with every problem
+// described.
 Result<RunningOrder> LoadRunningOrder(const std::string& path, const show::Show& show);
 
 // Leaves what begins and is over by then; `length` is to be a moment at which no fault is on.

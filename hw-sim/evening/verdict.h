@@ -44,15 +44,15 @@ struct Verdict {
 // Adds another evening behind those before it.
 void Add(const Verdict& evening, Verdict& to);
 
-// All of `wrong`, and a sentence for each figure beyond its bound. Bounds that only a whole evening can keep (its length, its
-// counts) are not looked at.
+// All of `wrong`, and a sentence for each figure beyond its bound. Bounds that only a whole evening can keep
+// (its length, its counts) are not looked at.
 std::vector<std::string> WhatIsWrong(const Verdict& verdict);
 inline bool IsGood(const Verdict& verdict) {
   return WhatIsWrong(verdict).empty();
 }
 
-// By least squares over the samples after the first ten minutes, in which caches fill; 0 with less than ten of them. Of several
-// evenings, the samples after the first one.
+// By least squares over the samples after the first ten minutes, in which caches fill; 0 with less than ten
+// of them. Of several evenings, the samples after the first one.
 double MemorySlope_kb_per_h(const Verdict& verdict);
 
 // As out/evening.json and out/soak.json have it.

@@ -52,7 +52,8 @@ void Watcher::Fail(int line, int fault, const std::string& what) {
   wrong_.push_back(fmt::format("{}:{}: {}", file_, line, what));
 }
 
-// A fault of which nothing was expected is not answered. One that was not over when somebody stopped the evening does not count.
+// A fault of which nothing was expected is not answered. One that was not over when somebody stopped the
+// evening does not count.
 void Watcher::Report(Duration now, Verdict& into) const {
   std::vector<bool> over(order_.faults.size());
   for (std::size_t i = 0; i < over.size(); ++i) over[i] = order_.faults[i].at <= now;

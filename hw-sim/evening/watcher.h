@@ -25,7 +25,8 @@ class Watcher {
         failed_(order.faults.size()),
         looked_(failed_.size()) {}
 
-  // Begins what is expected from now on: to be called before anything happens at this moment. `now` is since the beginning.
+  // Begins what is expected from now on: to be called before anything happens at this moment. `now` is since
+  // the beginning.
   void Begin(Duration now, const board::Board& board, const ShowSeen& seen);
   // Ends what has come, and what has not come in time.
   void Look(Duration now, const board::Board& board, const ShowSeen& seen);

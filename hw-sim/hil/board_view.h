@@ -59,8 +59,8 @@ struct BoardView {
   // 0 at the left and the upper edge, 1 at the right and the lower one.
   double pointer_x = 0;
   double pointer_y = 0;
-  // When a device of those above was last plugged in or heard, by the guest's clock; of those that were ever there,
-  // that for which it is longest ago.
+  // When a device of those above was last plugged in or heard, by the guest's clock; of those that were ever
+  // there, that for which it is longest ago.
   std::int64_t input_at_ns = 0;
   bool lines_live = false;
   // Bit n: input line n is active.
@@ -83,7 +83,8 @@ struct BoardView {
   // Bit n: the stage wants lamp n lit.
   std::uint32_t lamps = 0;
   StageView stage;
-  // Numbers of the show's cues, from 0. The cue that was played last, and the one that comes by itself; -1: none.
+  // Numbers of the show's cues, from 0. The cue that was played last, and the one that comes by itself; -1:
+  // none.
   int cue_active = -1;
   int cue_pending = -1;
   int cue_standby = 0;  // What GO plays next.

@@ -95,8 +95,8 @@ Result<void> FollowTrace(Target& target, Time began, const std::string& shot) {
 
 }  // namespace
 
-// For a person at a computer: nothing is plugged in and no agent is there. Without a trace or a picture to take
-// the machine runs until it ends by itself or its window is closed.
+// For a person at a computer: nothing is plugged in and no agent is there. Without a trace or a picture to
+// take the machine runs until it ends by itself or its window is closed.
 Result<void> Boot(QemuOptions machine, const BootOptions& options, const Clock& clock) {
   const std::string shot = machine.folder + "/shot.png", console = ConsolePath(machine);
   // The kernel's own lines are wanted, and "quiet" hides them.

@@ -61,7 +61,8 @@ struct Scene {
   // Waits until a face is on the screen of output `head`, and moves. Errors: timed_out.
   Result<void> AwaitMovingFace(int head, Duration longest);
 
-  // Wants that the stage has not ended since power came. Errors: invalid_argument (it has), those of the agent.
+  // Wants that the stage has not ended since power came. Errors: invalid_argument (it has), those of the
+  // agent.
   Result<void> WantNoRestart();
 
   // For checks that switch the box on by themselves. Errors: as QemuDriver::On.
@@ -81,8 +82,9 @@ struct Check {
   // Errors become failures. A check that cannot run says so by Skip.
   std::function<Result<void>(Scene&)> run;
   Setup setup{};  // Of the box that it finds playing.
-  // The negative control, which the long mode tries after the check has passed: the check must fail while this unit of
-  // the box is stopped ("kaori-input.service"), or this simulated device is unplugged ("camera").
+  // The negative control, which the long mode tries after the check has passed: the check must fail while
+  // this unit of the box is stopped ("kaori-input.service"), or this simulated device is unplugged
+  // ("camera").
   std::string fails_without{};
   // The control of a check that needs another one: passes when what is wrong is seen to be wrong.
   std::function<Result<void>(Scene&)> control{};
@@ -92,8 +94,8 @@ struct Check {
 // The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.
 double Quantile(std::vector<double> values, double part);
 
-// For a control: what was tried must have failed since it found something wrong, and not since the machine did not start.
-// Errors: invalid_argument (it passed; with `passed`), else its own.
+// For a control: what was tried must have failed since it found something wrong, and not since the machine
+// did not start. Errors: invalid_argument (it passed; with `passed`), else its own.
 Result<void> WantFoundWrong(const Result<void>& tried, const char* passed);
 
 // In the order in which they are run; those that want the same setup stand together.

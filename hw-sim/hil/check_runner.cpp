@@ -39,8 +39,8 @@ Withdrawn Withdraw(Scene& scene, const std::string& what) {
 
 }  // namespace
 
-// A failure that is the bench's own lack is a skip with its reason. After any other failure the box is switched
-// off, and the next check has a fresh one.
+// A failure that is the bench's own lack is a skip with its reason. After any other failure the box is
+// switched off, and the next check has a fresh one.
 ReportedCheck CheckRunner::Run(const Check& check) {
   ReportedCheck reported{check.name, check.sentence, {}};
   Finding& finding = reported.finding;
@@ -95,7 +95,8 @@ Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
   return {};
 }
 
-// What was withdrawn is there again afterwards; where the box does not recover the next check starts a new one.
+// What was withdrawn is there again afterwards; where the box does not recover the next check starts a new
+// one.
 Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
   const auto before = target_.Board();
   // The braces bring back what was withdrawn before the box is asked to recover.

@@ -28,8 +28,8 @@ Result<void> Scene::ShootFace(const std::string& name, const std::string& captio
   return {};
 }
 
-// First a face, then a later picture that differs from it: a picture that stands could be the last one of a stage
-// that died.
+// First a face, then a later picture that differs from it: a picture that stands could be the last one of a
+// stage that died.
 Result<void> Scene::AwaitMovingFace(int head, Duration longest) {
   const std::string first = folder + "/moving-first.png", later = folder + "/moving-later.png";
   const auto face = [&] {

@@ -1,4 +1,5 @@
-// The data partition: one that is ruined is brought back by the service key, and the journal of an evening is kept over a power cut.
+// The data partition: one that is ruined is brought back by the service key, and the journal of an evening is
+// kept over a power cut.
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -173,7 +174,8 @@ Result<void> AwaitKeptJournal(Scene& scene) {
   return {};
 }
 
-// Two evenings with a power cut between them: the second knows what was said in the first, and that it is the same box.
+// Two evenings with a power cut between them: the second knows what was said in the first, and that it is the
+// same box.
 Result<void> KeepsTheJournal(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "journal.disk", "data");

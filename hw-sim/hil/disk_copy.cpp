@@ -53,8 +53,8 @@ Result<void> Put(const std::string& data, const std::string& path, const std::st
 
 }  // namespace
 
-// The head is in the second block of 512 bytes; it tells where entries begin, how long one is and how many there
-// are (UEFI 2.10, 5.3). Numbers of the table are bounded by what was read of it.
+// The head is in the second block of 512 bytes; it tells where entries begin, how long one is and how many
+// there are (UEFI 2.10, 5.3). Numbers of the table are bounded by what was read of it.
 Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name) {
   const auto table = ReadBeginning(disk, kMostTable_bytes);
   if (!table) return tl::unexpected(table.error());

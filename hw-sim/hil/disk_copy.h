@@ -20,8 +20,8 @@ struct DiskCopy {
   std::uint64_t start_bytes = 0;
 };
 
-// Copies the disk to FOLDER/NAME; a second copy replaces the first. It is sparse, since the disk is mostly empty. Blocks while
-// it copies. Needs cp. Errors: as PartitionStart_bytes, and those of cp.
+// Copies the disk to FOLDER/NAME; a second copy replaces the first. It is sparse, since the disk is mostly
+// empty. Blocks while it copies. Needs cp. Errors: as PartitionStart_bytes, and those of cp.
 Result<DiskCopy> CopyDisk(const std::string& disk, const std::string& folder, const std::string& name,
                           const std::string& partition);
 

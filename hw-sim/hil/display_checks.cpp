@@ -20,8 +20,8 @@ constexpr double kSameFace = 0.06;            // As far as a face moves by itsel
 constexpr int kWidth_px = 320, kHeight_px = 240;
 constexpr const char* kStageEnded = "kaori-stage.service: Main process exited";
 
-// The machines of these checks. Screens are small, since the guest draws by its processor, which is emulated; nothing is
-// plugged in that a check does not need.
+// The machines of these checks. Screens are small, since the guest draws by its processor, which is emulated;
+// nothing is plugged in that a check does not need.
 const Setup kSilentScreen{
     .plugged = false, .sound = false, .tells_size = false, .width_px = kWidth_px, .height_px = kHeight_px};
 const Setup kOddScreen{.plugged = false, .sound = false, .width_px = 72, .height_px = 900};
@@ -130,8 +130,9 @@ Result<void> ScreenNeverComes(Scene& scene) {
   return seen ? FailInput("a face is seen although no screen is plugged in") : Result<void>{};
 }
 
-// Looks at one picture after another. Before the first one with a face the screen is dark, or shows what QEMU writes on one
-// that nobody has lit; then the still; then the face, which differs little from it. Nothing else, ever.
+// Looks at one picture after another. Before the first one with a face the screen is dark, or shows what QEMU
+// writes on one that nobody has lit; then the still; then the face, which differs little from it. Nothing
+// else, ever.
 class HandoverWatch {
  public:
   explicit HandoverWatch(std::string folder) : folder_(std::move(folder)) {}
@@ -188,8 +189,8 @@ class HandoverWatch {
   bool lit_ = false;
 };
 
-// Pictures back to back, as fast as QEMU gives them, from power until some time after the stage was started. That nothing came
-// at all is a failure: nothing wrong would be seen then either.
+// Pictures back to back, as fast as QEMU gives them, from power until some time after the stage was started.
+// That nothing came at all is a failure: nothing wrong would be seen then either.
 Result<void> WatchHandover(Scene& scene, HandoverWatch& watch) {
   Time ends = scene.target.clock().now() + kLongestDisplayStart;
   for (bool played = false; scene.target.clock().now() < ends;) {
@@ -236,7 +237,8 @@ Result<void> BlackIsFound(Scene& scene) {
 
 }  // namespace
 
-// Those that fail without the stage have it stopped as their control; the others bring a control of their own.
+// Those that fail without the stage have it stopped as their control; the others bring a control of their
+// own.
 std::vector<Check> DisplayChecks() {
   constexpr const char* kStage = "kaori-stage.service";
   return {{"silent-screen", "A screen that says nothing of itself shows the face", false, MovingFace,

@@ -36,8 +36,8 @@ Result<void> WantPlayed(Scene& scene, const BoardView& before) {
   return {};
 }
 
-// dummy_hcd joins a host controller and device controllers within one kernel, so that the gadget program and the
-// box under test run in the same machine.
+// dummy_hcd joins a host controller and device controllers within one kernel, so that the gadget program and
+// the box under test run in the same machine.
 Result<void> Gadgets(Scene& scene) {
   AgentProtocol& agent = scene.target.agent();
   // A kernel without dummy_hcd has no such controller: the image's own has not.

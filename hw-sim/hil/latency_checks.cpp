@@ -142,8 +142,8 @@ Result<EventTimes> ShakeUntilSeen(Scene& scene) {
   return all;
 }
 
-// Only that no event comes is a failure: an emulated machine's times say little about a real one's, and are told
-// as they are. Too few flips are a skip.
+// Only that no event comes is a failure: an emulated machine's times say little about a real one's, and are
+// told as they are. Too few flips are a skip.
 Result<void> Latency(Scene& scene) {
   constexpr std::size_t kLeastFlips = 4;
   const UnpluggedDevice camera(scene, "camera", seconds(5));  // Its pictures cost an emulated machine much.

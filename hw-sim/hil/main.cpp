@@ -1,5 +1,6 @@
-// kaori-bench: starts the box's image in a virtual machine, plugs in simulated devices, and runs checks. It also starts the
-// image for a person to look at (--boot), and prints QEMU's command line for other programs (--command).
+// kaori-bench: starts the box's image in a virtual machine, plugs in simulated devices, and runs checks. It
+// also starts the image for a person to look at (--boot), and prints QEMU's command line for other programs
+// (--command).
 #include <unistd.h>
 
 #include <algorithm>

@@ -96,8 +96,8 @@ struct Marks {
   int missing = 0, there = 0;
 };
 
-// The status is read from its colours on the second screen: amber marks are what is missing, green ones what is
-// there.
+// The status is read from its colours on the second screen: amber marks are what is missing, green ones what
+// is there.
 Result<Marks> CountStatus(Scene& scene) {
   const std::string file = scene.folder + "/status-now.png";
   if (auto ok = scene.target.machine().Shoot(1, file); !ok) return tl::unexpected(ok.error());
@@ -147,8 +147,8 @@ Result<void> UnplugKeyboard(Scene& scene) {
   return *apart < kFaceStays ? Result<void>{} : FailInput(scene.finding.said);
 }
 
-// The second screen comes once the first one plays. Linux's driver of the simulated card (virtio-gpu) forgets a change that comes
-// while it handles the one before: it clears the event of both.
+// The second screen comes once the first one plays. Linux's driver of the simulated card (virtio-gpu) forgets
+// a change that comes while it handles the one before: it clears the event of both.
 Result<void> ShowStatus(Scene& scene) {
   constexpr int kMissing = 6, kThere = 4;  // At least: a show, two screens and a keyboard are there.
   if (auto ok = scene.target.rig().Plug("keyboard"); !ok) return ok;

@@ -35,7 +35,8 @@ struct Points {
   std::vector<std::uint8_t> rgb;
 };
 
-// A binary PPM with one line for its kind, one for its size and one for its range, as QEMU and the stage write it.
+// A binary PPM with one line for its kind, one for its size and one for its range, as QEMU and the stage
+// write it.
 Result<Points> ReadPpm(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string kind;
@@ -79,7 +80,8 @@ Result<void> Write(const Points& points, const std::string& png) {
   return Fail(std::errc::io_error, "write " + png);
 }
 
-// The pixel in the middle of that row of a grid; columns count from the middle and are as wide as rows are high.
+// The pixel in the middle of that row of a grid; columns count from the middle and are as wide as rows are
+// high.
 const std::uint8_t* PixelAt(const Points& points, int column, int row, int rows) {
   const int y = (2 * row + 1) * points.height_px / (2 * rows);
   const int x = std::clamp(points.width_px / 2 + column * points.height_px / rows, 0, points.width_px - 1);
@@ -153,8 +155,8 @@ Result<double> MeanDifference(const std::string& file, const std::string& other_
   return sum / (255.0 * 3 * kColumns * kRows);
 }
 
-// A row is a 22nd of the height, or less where letters would not fit; the first begins half a row below the top, and the
-// mark is between half a row and one from the left.
+// A row is a 22nd of the height, or less where letters would not fit; the first begins half a row below the
+// top, and the mark is between half a row and one from the left.
 Result<int> CountMarks(const std::string& file, const std::array<int, 3>& colour) {
   constexpr int kRows = 22, kLetters = 66,
                 kNear = 30;  // The first two as in appliance/programs/status/sheet.cpp.

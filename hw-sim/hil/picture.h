@@ -24,20 +24,21 @@ Result<PictureView> LookAt(const std::string& png);
 // Describes its size, its lit part and its number of colours in one line.
 std::string Describe(const PictureView& picture);
 
-// How far two pictures differ: the mean over their pixels and colours, 0 (equal) to 1 (black against white). Sizes may
-// differ: both are sampled on a grid by their height, from the middle, as a still is laid over a screen. Files are PNG or
-// binary PPM. Errors: io_error (not such a picture).
+// How far two pictures differ: the mean over their pixels and colours, 0 (equal) to 1 (black against white).
+// Sizes may differ: both are sampled on a grid by their height, from the middle, as a still is laid over a
+// screen. Files are PNG or binary PPM. Errors: io_error (not such a picture).
 Result<double> MeanDifference(const std::string& file, const std::string& other);
 
-// The part of the pixels that differ by more than a shade, 0..1; 1 where sizes differ. Errors: as MeanDifference.
+// The part of the pixels that differ by more than a shade, 0..1; 1 where sizes differ. Errors: as
+// MeanDifference.
 Result<double> ChangedPart(const std::string& file, const std::string& other);
 
-// How many rows of the status display's picture (appliance/programs/status/sheet.h) have a mark of this colour. Errors: as
-// MeanDifference.
+// How many rows of the status display's picture (appliance/programs/status/sheet.h) have a mark of this
+// colour. Errors: as MeanDifference.
 Result<int> CountMarks(const std::string& file, const std::array<int, 3>& colour);
 
-// Writes one picture upside down, and one that is black, of the size of `file`, as PNG: controls of a comparison. Errors:
-// as MeanDifference, and those of writing.
+// Writes one picture upside down, and one that is black, of the size of `file`, as PNG: controls of a
+// comparison. Errors: as MeanDifference, and those of writing.
 Result<void> WriteUpsideDown(const std::string& file, const std::string& target);
 Result<void> WriteBlack(const std::string& file, const std::string& target);
 

@@ -26,8 +26,8 @@ class VideoProtocol {
   // Writes the picture of screen `head` as PNG into `file`, an absolute path. Blocks until it is
   // written. Errors: no_such_device (no such head, or no power), timed_out.
   virtual Result<void> Shoot(int head, const std::string& file) = 0;
-  // Plugs a screen of that size into output `head`, instead of the one before; 0 by 0: unplugs it. Errors: no_such_device
-  // (no such output, or no power).
+  // Plugs a screen of that size into output `head`, instead of the one before; 0 by 0: unplugs it. Errors:
+  // no_such_device (no such output, or no power).
   virtual Result<void> PlugScreen(int head, int width_px, int height_px) = 0;
 };
 
@@ -52,7 +52,8 @@ class AgentProtocol {
  public:
   virtual ~AgentProtocol() = default;
   // Asks the agent in the guest; see kaori-hil-agent for its questions. Blocks until it answers,
-  // `longest` at most; simulated devices play on meanwhile. An answer that comes later is lost. Errors: invalid_argument (its own error message), timed_out, no_such_device.
+  // `longest` at most; simulated devices play on meanwhile. An answer that comes later is lost. Errors:
+  // invalid_argument (its own error message), timed_out, no_such_device.
   virtual Result<std::string> Ask(const std::string& question, Duration longest) = 0;
 };
 

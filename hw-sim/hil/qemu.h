@@ -1,4 +1,5 @@
-// A box in QEMU, without acceleration: the image as it ships; with the in-guest agent the bench's disk is beside it.
+// A box in QEMU, without acceleration: the image as it ships; with the in-guest agent the bench's disk is
+// beside it.
 #pragma once
 
 #include <optional>

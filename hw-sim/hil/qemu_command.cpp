@@ -70,7 +70,8 @@ void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<s
                 std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
 }
 
-// With firmware the machine starts from its disk, as a real one; else QEMU loads the kernel, which is quicker.
+// With firmware the machine starts from its disk, as a real one; else QEMU loads the kernel, which is
+// quicker.
 void AddKernel(const QemuOptions& options, const Setup& setup, const std::string& command_line,
                std::vector<std::string>& command) {
   if (setup.firmware) return Add(command, {"-bios", kFirmware});

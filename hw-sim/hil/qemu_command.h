@@ -1,5 +1,5 @@
-// QEMU's command line. Every machine of this project is started with it: those of checks, of `./box boot`, of the image's
-// builder, and of what asks for it with `kaori-bench --command`.
+// QEMU's command line. Every machine of this project is started with it: those of checks, of `./box boot`, of
+// the image's builder, and of what asks for it with `kaori-bench --command`.
 #pragma once
 
 #include <string>

@@ -16,8 +16,8 @@ class Qmp {
   // waiter plays on. Errors: timed_out, no_such_device.
   static Result<Qmp> Call(const std::string& path, Waiter& waiter);
 
-  // Does one command and waits for its answer, a minute at most. Errors: invalid_argument (QEMU's own message),
-  // timed_out, no_such_device.
+  // Does one command and waits for its answer, a minute at most. Errors: invalid_argument (QEMU's own
+  // message), timed_out, no_such_device.
   Result<void> Do(const std::string& command, json::Object arguments = {});
 
  private:

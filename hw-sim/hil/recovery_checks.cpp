@@ -17,8 +17,8 @@ using std::chrono::seconds;
 // Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
 constexpr double kMovedByItself = 0.06;
 constexpr Duration kRecoveryAnswer = seconds(120);
-// Two seconds are wanted of a machine that has time; emulated, beside neighbours, it has little. A program that hangs
-// before it knows its own pace has two minutes, as its unit says.
+// Two seconds are wanted of a machine that has time; emulated, beside neighbours, it has little. A program
+// that hangs before it knows its own pace has two minutes, as its unit says.
 constexpr Duration kLongestHang = seconds(150);
 
 // A small screen, so that the stage is back sooner; no devices, whose drivers would need time. The
@@ -27,8 +27,8 @@ const Setup kSmall{.plugged = false, .sound = false, .width_px = 480, .height_px
 const Setup kWatched{
     .plugged = false, .sound = false, .watchdog_resets = true, .width_px = 320, .height_px = 180};
 
-// How the stage is made to end. A stage that hangs before it knows its pace has 20 of its slowest turns so far, and never
-// more than the two minutes of its unit.
+// How the stage is made to end. A stage that hangs before it knows its pace has 20 of its slowest turns so
+// far, and never more than the two minutes of its unit.
 struct Death {
   const char* name;
   const char* question;  // To the agent.
@@ -77,8 +77,9 @@ Result<std::string> ProcessOf(Scene& scene, const char* program) {
   return scene.target.agent().Ask(std::string("processes ") + program, kRecoveryAnswer);
 }
 
-// Looks at the screen without a pause until the stage, which has just been made to end, draws new frames. A new stage is
-// known by its process: between two looks at the board of a slow machine it may have drawn more frames than the old one had.
+// Looks at the screen without a pause until the stage, which has just been made to end, draws new frames. A
+// new stage is known by its process: between two looks at the board of a slow machine it may have drawn more
+// frames than the old one had.
 Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
   const auto before = ProcessOf(scene, "kaori-stage");
   if (!before) return tl::unexpected(before.error());
@@ -176,7 +177,8 @@ Result<void> RunningIsNotReset(Scene& scene) {
   return ended ? FailInput("a box that runs is reset too") : Result<void>{};
 }
 
-// A program that has just started is watched by the two minutes of its unit, until it has told the service manager of less.
+// A program that has just started is watched by the two minutes of its unit, until it has told the service
+// manager of less.
 Result<void> WantPaceKnown(Scene& scene, const char* program) {
   const std::string question = fmt::format("own /usr/bin/systemctl show -p WatchdogUSec {}.service", program);
   Result<std::string> last;
@@ -189,7 +191,8 @@ Result<void> WantPaceKnown(Scene& scene, const char* program) {
                                last ? *last : last.error().message()));
 }
 
-// Hangs a program, and waits until another process of its name delivers. Gives how long that took, by the machine's clock.
+// Hangs a program, and waits until another process of its name delivers. Gives how long that took, by the
+// machine's clock.
 Result<Duration> Hang(Scene& scene, const char* program,
                       const std::function<bool(const BoardView&)>& delivers) {
   if (auto ok = WantPaceKnown(scene, program); !ok) return tl::unexpected(ok.error());

@@ -1,5 +1,6 @@
-// The latency from input to scan-out, with input sampled as late as drawing allows and right after each flip, on a screen
-// whose vertical blanks come by a timer (vkms, of the bench's kernel): QEMU's own graphics cards have none.
+// The latency from input to scan-out, with input sampled as late as drawing allows and right after each flip,
+// on a screen whose vertical blanks come by a timer (vkms, of the bench's kernel): QEMU's own graphics cards
+// have none.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -19,15 +20,16 @@ constexpr Duration kSamplingAnswer = seconds(600);
 constexpr Duration kLongestRounds = std::chrono::hours(1);
 constexpr double kLeastGain = 1.6, kMostMissed_percent = 0.5, kMostMissedLoaded_percent = 2;
 
-// The machine's time is that of its instructions: neighbours on this computer change nothing but how long the check takes.
+// The machine's time is that of its instructions: neighbours on this computer change nothing but how long the
+// check takes.
 const Setup kCounted{.plugged = false,
                      .sound = false,
                      .bench_kernel = true,
                      .counts_instructions = true,
                      .graphics = Graphics::kNone};
 
-// The screen is small and slow, and the show's first face a plain one drawn flat, so that drawing takes a part of its
-// period, as it does on a box.
+// The screen is small and slow, and the show's first face a plain one drawn flat, so that drawing takes a
+// part of its period, as it does on a box.
 constexpr std::string_view kPlayRounds =
     "start LP_NUM_THREADS=0 MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/run/kaori "
     "MESA_DISK_CACHE_READ_ONLY_FOZ_DBS=../../../../../../../usr/share/kaori/shaders "
@@ -40,8 +42,8 @@ struct SampledRound {
   std::map<std::string, double> values;
 };
 
-// Reads lines such as "... round arm=late missed=0.1"; other lines are passed over, and a word that is no number
-// counts as 0.
+// Reads lines such as "... round arm=late missed=0.1"; other lines are passed over, and a word that is no
+// number counts as 0.
 std::vector<SampledRound> ReadRounds(const std::string& said) {
   std::vector<SampledRound> rounds;
   std::istringstream lines(said);
@@ -70,8 +72,8 @@ std::vector<double> ValuesOf(const std::vector<SampledRound>& rounds, const std:
   return values;
 }
 
-// Compares the three arms: early, late, and late beside a program that keeps the processor busy, from 30 frames after that
-// began. Errors: invalid_argument (an arm is missing, or a goal is missed).
+// Compares the three arms: early, late, and late beside a program that keeps the processor busy, from 30
+// frames after that began. Errors: invalid_argument (an arm is missing, or a goal is missed).
 Result<void> Judge(const std::string& said, Finding& finding) {
   const auto rounds = ReadRounds(said);
   const auto mean_ms = [&](const char* arm) { return Quantile(ValuesOf(rounds, arm, "mean_ms"), 0.5); };

@@ -21,14 +21,14 @@ struct AgentAnswer {
   std::string text;
 };
 
-// Removes the first whole answer from `waiting`, and what is before it, which is noise of the line. Nothing: it has
-// not come yet. Pure.
+// Removes the first whole answer from `waiting`, and what is before it, which is noise of the line. Nothing:
+// it has not come yet. Pure.
 std::optional<AgentAnswer> ParseAnswer(std::string& waiting);
 
-// A question is a line: its number, which no other question has, a space and its words. An answer is a byte of 2,
-// "OK " or "NO ", the number of its question, a space, the length of the text, both in decimal, the end of the
-// line, and the text. The line may be noisy: the guest's kernel writes to it before the agent has it. One
-// thread: that of the waiter.
+// A question is a line: its number, which no other question has, a space and its words. An answer is a byte
+// of 2, "OK " or "NO ", the number of its question, a space, the length of the text, both in decimal, the end
+// of the line, and the text. The line may be noisy: the guest's kernel writes to it before the agent has it.
+// One thread: that of the waiter.
 class SerialAgentDriver final : public AgentProtocol {
  public:
   // Calls nobody yet. The waiter outlives the driver.

@@ -6,7 +6,8 @@
 namespace kaori::hil {
 
 // The graphics card of the machine. kVirtio: pictures are drawn by the box's processor. kVirgl: a virtio card
-// whose GLES is drawn on the bench, in a window under Xvfb. kVga: as a PC's firmware finds it. kNone: no card.
+// whose GLES is drawn on the bench, in a window under Xvfb. kVga: as a PC's firmware finds it. kNone: no
+// card.
 enum class Graphics { kVirtio, kVirgl, kVga, kNone };
 
 // Where the image's disk is attached: each bus has a driver of its own in the
@@ -18,17 +19,17 @@ struct Setup {
   bool plugged = true;    // The simulated devices are plugged in before power comes.
   bool sound = true;      // It has sound cards.
   bool keyboards = true;  // The profile authorises them.
-  // The in-guest agent and the simulated devices are there. Without it the image runs alone, and the serial line is the
-  // log of kernel and systemd, a file that QemuDriver::console reads.
+  // The in-guest agent and the simulated devices are there. Without it the image runs alone, and the serial
+  // line is the log of kernel and systemd, a file that QemuDriver::console reads.
   bool agent = true;
   bool firmware = false;         // UEFI starts the disk by itself; otherwise QEMU loads the image's kernel.
   bool watchdog_resets = false;  // The chip set's watchdog resets the machine, as on a PC.
   bool keeps_disk = false;       // What the machine writes to its disk is kept.
   bool bench_kernel = false;     // The box's own settings, and simulated hardware besides.
   bool stock = false;  // A processor with every instruction that QEMU emulates, and 2 GiB of memory.
-  // The machine's time is that of its instructions, a nanosecond each, whatever else this computer does meanwhile. It has
-  // one processor: of two, QEMU lets one run until the next timer of any, and a busy one would leave the other next to
-  // nothing.
+  // The machine's time is that of its instructions, a nanosecond each, whatever else this computer does
+  // meanwhile. It has one processor: of two, QEMU lets one run until the next timer of any, and a busy one
+  // would leave the other next to nothing.
   bool counts_instructions = false;
   // Without a card the machine is for those who want its log.
   Graphics graphics = Graphics::kVirtio;

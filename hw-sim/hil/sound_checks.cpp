@@ -52,8 +52,8 @@ double HeardVoice(Scene& scene) {
   return heard ? sim::Likeness(sim::SayVowels(seconds(kVoiceSeconds)), *heard) : 0;
 }
 
-// By tools of ALSA in the guest, and by a recording of what QEMU's card was given: a card that only pretends to
-// play is found.
+// By tools of ALSA in the guest, and by a recording of what QEMU's card was given: a card that only pretends
+// to play is found.
 Result<void> Sound(Scene& scene) {
   const auto cards = CardsOf(scene, "HDA-Intel");  // As QemuCommand has them: loudspeaker, microphone.
   if (cards.size() < 2) return scene.Skip("the kernel does not show both sound cards");
@@ -98,8 +98,8 @@ struct Mouth {
   }
 };
 
-// Waits until the lips of the check hear the loop; what is on the board before that is the box's own lips', which are
-// stopped. Who speaks into the loop before its other side is open finds no way to play into it.
+// Waits until the lips of the check hear the loop; what is on the board before that is the box's own lips',
+// which are stopped. Who speaks into the loop before its other side is open finds no way to play into it.
 Result<void> AwaitEar(Scene& scene, std::uint32_t blocks_before) {
   const auto hears = [&](const BoardView& board) {
     return board.voice_live && board.voice_blocks != blocks_before;
@@ -109,7 +109,8 @@ Result<void> AwaitEar(Scene& scene, std::uint32_t blocks_before) {
   return {};
 }
 
-// The voice speaks into the loop, or nobody does. Errors: invalid_argument, the mouth or the loudspeaker does not follow.
+// The voice speaks into the loop, or nobody does. Errors: invalid_argument, the mouth or the loudspeaker does
+// not follow.
 Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
   if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
   // What is played into one side of the loop is heard at the other.

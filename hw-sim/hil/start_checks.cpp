@@ -36,8 +36,8 @@ Result<StartTimes> StartOnce(Scene& scene, const Setup& setup) {
   return times;
 }
 
-// Debian's kernel with its modules and one large initramfs that holds the same root without stills and shaders, and a
-// processor with everything that QEMU can emulate. Programs and show are the box's own.
+// Debian's kernel with its modules and one large initramfs that holds the same root without stills and
+// shaders, and a processor with everything that QEMU can emulate. Programs and show are the box's own.
 Result<Setup> UsualWay(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   const std::string folder = options.folder + "/usual";

@@ -27,13 +27,14 @@ constexpr const char* kStickNumber =
     "46f4:0001 ";  // QEMU's vendor and product; behind it whether it is authorised.
 constexpr std::string_view kIsOn = "it is on the box and plays now";
 
-// A small screen, so that the face leaves the trial something of the processors. With a disk of its own what is installed is
-// kept over a start; without one the image's is used, and stays as it ships.
+// A small screen, so that the face leaves the trial something of the processors. With a disk of its own what
+// is installed is kept over a start; without one the image's is used, and stays as it ships.
 Setup StickSetup(const std::string& disk) {
   return {.sound = false, .keeps_disk = !disk.empty(), .width_px = 480, .height_px = 270, .disk = disk};
 }
 
-// What the agent answers; empty where there is no such file, or no answer in time: whoever asks again sees the next one.
+// What the agent answers; empty where there is no such file, or no answer in time: whoever asks again sees
+// the next one.
 std::string TextInBox(Scene& scene, const std::string& question) {
   return scene.target.agent().Ask(question, kStickAnswer).value_or("");
 }
@@ -54,7 +55,8 @@ Result<void> Plug(Scene& scene, const char* stick) {
   return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick);
 }
 
-// Presses a key until the box says what it should of it: it may have looked at the keys for the last time just before.
+// Presses a key until the box says what it should of it: it may have looked at the keys for the last time
+// just before.
 Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
   constexpr int kMostPresses = 3;
   Result<void> said;
@@ -75,8 +77,8 @@ double Rate(const Result<BoardView>& from, const Result<BoardView>& to) {
   return 1e9 * (to->stage.frames - from->stage.frames) / static_cast<double>(to->now_ns - from->now_ns);
 }
 
-// Until the show is on the box. The stage counts anew when it starts with the show: what it counted last before that is the
-// end of the span.
+// Until the show is on the box. The stage counts anew when it starts with the show: what it counted last
+// before that is the end of the span.
 Result<void> InstallUnderPlay(Scene& scene) {
   const auto first = scene.target.Board();
   scene.target.For(kRateSpan);
@@ -124,8 +126,8 @@ Result<void> WantPlayed(Scene& scene, const std::string& id) {
   return {};
 }
 
-// The image knows no key, so that the way of a guest is tried, which has all the steps of the others and one more.
-// A show of nobody whom the box knows, then the key of whoever signed it, then the show.
+// The image knows no key, so that the way of a guest is tried, which has all the steps of the others and one
+// more. A show of nobody whom the box knows, then the key of whoever signed it, then the show.
 Result<void> BringShow(Scene& scene) {
   if (auto ok = Plug(scene, "evening.stick"); !ok) return ok;
   if (auto ok = WantStickSaid(scene, "> 1  evening  ", kLongestReading); !ok) return ok;
@@ -177,8 +179,8 @@ Result<std::string> BringBoth(Scene& scene) {
   return id;
 }
 
-// Two starts of one disk, which is a copy and removed in each case. The second start shows what was really kept: memory, in which
-// the stage is told of a choice, is gone with the power.
+// Two starts of one disk, which is a copy and removed in each case. The second start shows what was really
+// kept: memory, in which the stage is told of a choice, is gone with the power.
 Result<void> Stick(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   if (!std::filesystem::exists(options.sticks + "/evening.stick"))

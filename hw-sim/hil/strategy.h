@@ -24,10 +24,10 @@ class PlayStrategy {
   // Takes its power. Does nothing where it has none.
   void Off();
 
-  // After something was withdrawn from a playing box: waits until it plays as its setup says, and switches it off where it
-  // does not, so that the next Play starts it anew. Input devices count as found where they were plugged in or heard after
-  // `input_since_ns`, by the guest's clock: for half a second a program that starts anew leaves on the board what it found
-  // there. 0: at any time.
+  // After something was withdrawn from a playing box: waits until it plays as its setup says, and switches it
+  // off where it does not, so that the next Play starts it anew. Input devices count as found where they were
+  // plugged in or heard after `input_since_ns`, by the guest's clock: for half a second a program that starts
+  // anew leaves on the board what it found there. 0: at any time.
   void Recover(std::int64_t input_since_ns);
 
   // From power to the first frames, of the last time; 0 before.

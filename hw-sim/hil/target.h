@@ -45,8 +45,8 @@ class Target final : public Waiter {
   Result<BoardView> UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
                                const std::string& what);
 
-  // Waits until one line of the log of a machine without an agent has all of `parts`. False: it did not come in time, or
-  // the machine ended before.
+  // Waits until one line of the log of a machine without an agent has all of `parts`. False: it did not come
+  // in time, or the machine ended before.
   bool UntilConsole(std::initializer_list<std::string_view> parts, Duration longest);
 
   // Await and UntilBoard wait no longer than this: in the control of a check nothing is expected to come.

@@ -87,8 +87,9 @@ std::string KernelFault(const std::string& log) {
   return {};
 }
 
-// The input program ends and starts once, so that drivers let go of all devices while these are plugged in. Faults are
-// looked for among warnings and what is worse: an answer holds 64 KiB, and each plug adds to the rest of the log.
+// The input program ends and starts once, so that drivers let go of all devices while these are plugged in.
+// Faults are looked for among warnings and what is worse: an answer holds 64 KiB, and each plug adds to the
+// rest of the log.
 Result<void> KernelWithoutFault(Scene& scene) {
   const auto ask = [&](const char* question) { return scene.target.agent().Ask(question, kToolLongest); };
   if (auto ok = ask("own /usr/bin/systemctl restart kaori-input.service"); !ok)

@@ -7,12 +7,12 @@
 
 namespace kaori::hil {
 
-// Plugs it in again also where the check fails in between: what a check or its control leaves unplugged would be
-// missing in the next one.
+// Plugs it in again also where the check fails in between: what a check or its control leaves unplugged would
+// be missing in the next one.
 class UnpluggedDevice {
  public:
-  // Borrows the scene. `name` is one of sim::kUsbSockets. Waits `settles` afterwards, in which the box may notice
-  // the loss.
+  // Borrows the scene. `name` is one of sim::kUsbSockets. Waits `settles` afterwards, in which the box may
+  // notice the loss.
   UnpluggedDevice(Scene& scene, std::string name, Duration settles = {})
       : scene_(scene), name_(std::move(name)) {
     static_cast<void>(scene_.target.rig().Unplug(name_));

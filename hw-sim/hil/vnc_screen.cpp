@@ -52,8 +52,8 @@ Result<std::string> VncScreen::Next(std::size_t bytes) {
   return next;
 }
 
-// RFC 6143, 7.1 to 7.3: what is read in each step, and what is then said. The list of security types and the server's name
-// follow their lengths.
+// RFC 6143, 7.1 to 7.3: what is read in each step, and what is then said. The list of security types and the
+// server's name follow their lengths.
 Result<void> VncScreen::Greet() {
   constexpr std::size_t kVersionBytes = 12, kResultBytes = 4, kInitBytes = 24, kNameLengthAt = 20;
   const auto step = [&](std::size_t bytes, const std::string& reply) -> Result<std::string> {

@@ -1,5 +1,5 @@
-// A screen that is plugged into an output of the virtual machine. QEMU's VNC server takes the size that its viewer asks for
-// as that of the screen; RFC 6143, and its extension SetDesktopSize.
+// A screen that is plugged into an output of the virtual machine. QEMU's VNC server takes the size that its
+// viewer asks for as that of the screen; RFC 6143, and its extension SetDesktopSize.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ namespace kaori::hil {
 
 class VncScreen {
  public:
-  // Begins a session with the server of one output. The waiter outlives it. Errors: timed_out, no_such_device.
+  // Begins a session with the server of one output. The waiter outlives it. Errors: timed_out,
+  // no_such_device.
   static Result<VncScreen> Connect(const std::string& path, Waiter& waiter);
 
   // Plugs in a screen of that size instead of the one before; 0 by 0: none. Errors: no_such_device.

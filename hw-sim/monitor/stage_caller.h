@@ -1,6 +1,6 @@
-// Calls on the board in the words of a page: "goto 14", "standby 2.10", "level 8 0.25", "letgo 8", "load 1 0", "check 1", "lock 1". Levels, roles and
-// devices are counted from 0, as board::Call has them. For the page that people look at: it stands where a
-// remote control will.
+// Calls on the board in the words of a page: "goto 14", "standby 2.10", "level 8 0.25", "letgo 8", "load 1
+// 0", "check 1", "lock 1". Levels, roles and devices are counted from 0, as board::Call has them. For the
+// page that people look at: it stands where a remote control will.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ class StageCaller {
   // `board` is the file that the box's programs share; it is made where it is not there. Borrows the clock.
   StageCaller(std::string board, const Clock& clock) : path_(std::move(board)), clock_(clock) {}
 
-  // Makes the call that `line` says; what it names need not be known here. Blocks for the file system. Errors:
+  // Makes the call that `line` says; what it names need not be known here. Blocks for the file system.
+  // Errors:
   //   invalid_argument  the line is no call; the attempt names what is wrong (kInput)
   //   those of Board::Create, Board::Heal and Caller::Acquire
   Result<void> Call(std::string_view line);

@@ -9,8 +9,8 @@ constexpr Duration kLookPeriod = std::chrono::seconds(1);
 // A stage writes its status once a frame, so two seconds are no pause of one that lives.
 constexpr Duration kSilence = std::chrono::seconds(2);
 
-// Each item in words, with its state, which is as board::CheckedState counts. Null where none was made on this box yet.
-// One that runs and is silent has ended with its stage, and is none either.
+// Each item in words, with its state, which is as board::CheckedState counts. Null where none was made on
+// this box yet. One that runs and is silent has ended with its stage, and is none either.
 json::Value CheckJson(const board::Stamped<board::LineCheck>& check, Time now) {
   const bool running = check.value.phase == board::LineCheckPhase::kRunning;
   if (check.source != board::SourceState::kLive || check.value.phase == board::LineCheckPhase::kNever ||

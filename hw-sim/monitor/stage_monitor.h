@@ -1,5 +1,5 @@
-// What is on stage, and where the cue list stands, read from the box's board. For the page that people look at: no
-// simulated device knows of it, as no real one would.
+// What is on stage, and where the cue list stands, read from the box's board. For the page that people look
+// at: no simulated device knows of it, as no real one would.
 #pragma once
 
 #include <optional>
@@ -23,9 +23,9 @@ class StageMonitor {
   //    "paused","panicking","black","waiting":bools, "refused":count, "sheet":number,
   //    "levels":[[value,owner,role]..],
   //    "locked":bool, "locked_out":count, "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]}, "role_devices":[number..]}
-  // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue. Does
-  // not block; where there is no board, or a stage that has been silent for two seconds, the file is looked for anew
-  // once a second.
+  // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue.
+  // Does not block; where there is no board, or a stage that has been silent for two seconds, the file is
+  // looked for anew once a second.
   json::Value Read();
 
  private:

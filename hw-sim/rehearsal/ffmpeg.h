@@ -24,12 +24,12 @@ class Ffmpeg {
   Ffmpeg& operator=(Ffmpeg&&) = delete;
   ~Ffmpeg();
 
-  // Writes to its standard input; blocks while it is busy. Errors: io_error (it gave up, with the first line that it said:
-  // the disk is full, the folder is not there), and then nothing more can be written.
+  // Writes to its standard input; blocks while it is busy. Errors: io_error (it gave up, with the first line
+  // that it said: the disk is full, the folder is not there), and then nothing more can be written.
   Result<void> Write(std::span<const std::uint8_t> bytes);
 
-  // Closes its standard input and waits for its end. What is left of a file that it could not finish is removed. Once only.
-  // Errors: io_error, as of Write.
+  // Closes its standard input and waits for its end. What is left of a file that it could not finish is
+  // removed. Once only. Errors: io_error, as of Write.
   Result<void> Finish();
 
  private:

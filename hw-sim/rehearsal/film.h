@@ -26,7 +26,8 @@ class Film {
   // Errors: as of Ffmpeg::Start; invalid_argument (a side is odd: H.264 stores colours for pairs of pixels).
   static Result<Film> Start(const FilmOptions& options);
 
-  // One picture: R, G, B, X, bottom row first. Blocks while ffmpeg is busy. Errors: io_error, as of Ffmpeg::Write.
+  // One picture: R, G, B, X, bottom row first. Blocks while ffmpeg is busy. Errors: io_error, as of
+  // Ffmpeg::Write.
   Result<void> Add(std::span<const std::uint8_t> rgbx) { return ffmpeg_.Write(rgbx); }
 
   // Closes the film and waits for ffmpeg. Half a film is removed. Errors: io_error, as of Ffmpeg::Write.

@@ -22,7 +22,8 @@ void PutTag(std::span<std::uint8_t> into, std::size_t at, const char (&tag)[5]) 
   std::copy_n(tag, 4, into.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-// The head of a RIFF WAVE file of PCM, as Microsoft's and IBM's "Multimedia Programming Interface" of 1991 has it.
+// The head of a RIFF WAVE file of PCM, as Microsoft's and IBM's "Multimedia Programming Interface" of 1991
+// has it.
 std::array<std::uint8_t, kHeadBytes> WavHead(std::int64_t frames) {
   const auto bytes = static_cast<std::uint32_t>(frames) * kFrameBytes;
   std::array<std::uint8_t, kHeadBytes> head{};
@@ -104,8 +105,8 @@ void FilmSound::WriteSilence(std::int64_t frames) {
   }
 }
 
-// Pictures are copied as they are; sound becomes AAC of 192 kbit/s. "faststart" puts the index in front, so that
-// a browser can play the film while it comes.
+// Pictures are copied as they are; sound becomes AAC of 192 kbit/s. "faststart" puts the index in front, so
+// that a browser can play the film while it comes.
 Result<void> JoinSound(const std::string& pictures, const std::string& sound, const std::string& film) {
   auto ffmpeg =
       Ffmpeg::Start({"-i", "file:" + pictures, "-i", "file:" + sound, "-map", "0:v", "-map", "1:a", "-c:v",

@@ -24,8 +24,9 @@ class FilmSound {
   // first picture. Errors: those of the file.
   static Result<FilmSound> Start(const std::string& file, Time begin);
 
-  // Puts each block where it was heard: silence fills what is between two blocks, and what was heard before the film began
-  // is left out. A block that follows the one before within a millisecond is joined to it, so that rounding does not click.
+  // Puts each block where it was heard: silence fills what is between two blocks, and what was heard before
+  // the film began is left out. A block that follows the one before within a millisecond is joined to it, so
+  // that rounding does not click.
   void Add(const std::vector<Loudspeaker::Heard>& heard);
 
   // Cuts the sound, or fills it up with silence, to `length`, and closes the file. To be called
@@ -47,9 +48,9 @@ class FilmSound {
   std::int64_t frames_ = 0;  // Written.
 };
 
-// Joins `pictures`, a film without sound, and the WAV file `sound` into `film`; the pictures are copied as they are. Blocks
-// until ffmpeg is done. What is left of a film that could not be written is removed. Errors: no_such_file_or_directory (there
-// is no ffmpeg), io_error with the first line that ffmpeg said.
+// Joins `pictures`, a film without sound, and the WAV file `sound` into `film`; the pictures are copied as
+// they are. Blocks until ffmpeg is done. What is left of a film that could not be written is removed. Errors:
+// no_such_file_or_directory (there is no ffmpeg), io_error with the first line that ffmpeg said.
 Result<void> JoinSound(const std::string& pictures, const std::string& sound, const std::string& film);
 
 }  // namespace kaori::sim

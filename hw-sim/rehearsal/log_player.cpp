@@ -55,8 +55,8 @@ Result<std::unique_ptr<Drawing>> OpenDrawing(const LogPlayOptions& options, cons
   return std::make_unique<Drawing>(std::move(*studio), std::move(*outputs), options.output);
 }
 
-// Plays from the beginning of the chunk in which `from` lies; frames before it are made, for the state goes through them, and
-// not drawn.
+// Plays from the beginning of the chunk in which `from` lies; frames before it are made, for the state goes
+// through them, and not drawn.
 Result<LogPlayed> PlayThrough(const showlog::LogFile& log, const show::Show& show, Time from,
                               const LogPlayOptions& options, Drawing* drawing) {
   const Time until = options.length_s > 0 ? from + FromSeconds(options.length_s) : Time::max();
@@ -84,8 +84,8 @@ Result<LogPlayed> PlayThrough(const showlog::LogFile& log, const show::Show& sho
 
 }  // namespace
 
-// All that can be wrong with the options is found before a film is begun. What is spoilt in the log is said, and what is whole
-// is played.
+// All that can be wrong with the options is found before a film is begun. What is spoilt in the log is said,
+// and what is whole is played.
 Result<LogPlayed> PlayLog(const LogPlayOptions& options) {
   const auto log = showlog::LogFile::Read(options.log);
   if (!log) return tl::unexpected(log.error());

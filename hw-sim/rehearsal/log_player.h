@@ -27,9 +27,9 @@ struct LogPlayed {
   std::string first_difference;
 };
 
-// Blocks until all is played and written. What of the log is spoilt is named in the program's log, and the rest is played. The
-// film is silent: a log has no sound. Errors: those of the log, the pack and the outputs; kInput: the log is of another show,
-// or has nothing at that time.
+// Blocks until all is played and written. What of the log is spoilt is named in the program's log, and the
+// rest is played. The film is silent: a log has no sound. Errors: those of the log, the pack and the outputs;
+// kInput: the log is of another show, or has nothing at that time.
 Result<LogPlayed> PlayLog(const LogPlayOptions& options);
 
 }  // namespace kaori::sim

@@ -1,4 +1,5 @@
-// kaori-rehearsal: plays a scenario in the whole system on a simulated clock, or a show log, into a film or pictures.
+// kaori-rehearsal: plays a scenario in the whole system on a simulated clock, or a show log, into a film or
+// pictures.
 #include <unistd.h>
 
 #include <cstdio>

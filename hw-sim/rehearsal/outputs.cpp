@@ -10,7 +10,8 @@
 namespace kaori::sim {
 namespace {
 
-// A film is joined at the very end: that its place cannot be written must be known before the hours of drawing.
+// A film is joined at the very end: that its place cannot be written must be known before the hours of
+// drawing.
 Result<void> CheckWritable(const std::string& file) {
   std::error_code ignored;
   const bool was_there = std::filesystem::exists(file, ignored);

@@ -39,7 +39,8 @@ struct FilmInTheMaking {
 // One thread; blocks while ffmpeg or the disk is busy.
 class Outputs {
  public:
-  // Errors: those of the folder of pictures and of the film; a film that cannot be written is told before it is played.
+  // Errors: those of the folder of pictures and of the film; a film that cannot be written is told before it
+  // is played.
   static Result<Outputs> Open(const OutputOptions& options);
 
   // One more picture, and what was heard until it was shown. Errors: those of the film and of the disk.

@@ -156,7 +156,8 @@ Result<void> Rehearsal::Settle() {
   return {};
 }
 
-// Ticks the simulated clock until the screen has flipped; a stage that never draws is given up after kPatience.
+// Ticks the simulated clock until the screen has flipped; a stage that never draws is given up after
+// kPatience.
 Result<Shown> Rehearsal::NextPicture(const Input& input) {
   const auto before = rig_->screen().frames_shown();
   for (const Time end = clock_.now() + kPatience; clock_.now() < end;) {

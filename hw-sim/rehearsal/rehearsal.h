@@ -1,5 +1,5 @@
-// The whole system in one process on a simulated clock: simulated devices, real drivers, board, stage. The same input gives
-// the same board and the same pictures every time. For films, golden pictures and tests.
+// The whole system in one process on a simulated clock: simulated devices, real drivers, board, stage. The
+// same input gives the same board and the same pictures every time. For films, golden pictures and tests.
 #pragma once
 
 #include <chrono>
@@ -42,9 +42,9 @@ enum class Program : std::uint8_t { kInput, kLips, kStage };
 // loops: what would be a race on a box has one order here. One thread.
 class Rehearsal {
  public:
-  // Plugs every device in and waits, in simulated time, until each has its slot. The studio outlives it and may serve one
-  // rehearsal after another. Errors: those of the folder, the board, the sockets; timed_out when a device had no slot within
-  // a simulated second.
+  // Plugs every device in and waits, in simulated time, until each has its slot. The studio outlives it and
+  // may serve one rehearsal after another. Errors: those of the folder, the board, the sockets; timed_out
+  // when a device had no slot within a simulated second.
   static Result<std::unique_ptr<Rehearsal>> Open(const RehearsalOptions& options, stage::Studio& studio);
   ~Rehearsal();
 
@@ -56,14 +56,15 @@ class Rehearsal {
   // when no picture came within a simulated second.
   Result<Shown> NextPicture(const Input& input = {});
 
-  // Moves time on by one tick: operators, devices, programs. What is gone is looked for as often as the programs' own loops do:
-  // a screen four times a second, the board's file as often.
+  // Moves time on by one tick: operators, devices, programs. What is gone is looked for as often as the
+  // programs' own loops do: a screen four times a second, the board's file as often.
   void Step(const Input& input);
 
-  // Ends a program: what it had of the board and of the devices is free. One that does not run stays so. May be called by an
-  // Input.
+  // Ends a program: what it had of the board and of the devices is free. One that does not run stays so. May
+  // be called by an Input.
   void End(Program program);
-  // Starts it again as its main does; it goes on from what the board holds. One that runs stays as it is. Errors: as Open.
+  // Starts it again as its main does; it goes on from what the board holds. One that runs stays as it is.
+  // Errors: as Open.
   Result<void> Start(Program program);
   // The whole machine does nothing for so long: what falls due meanwhile is late.
   void StandStill(Duration length) { clock_.Advance(length); }
@@ -75,8 +76,8 @@ class Rehearsal {
   // be called before the first picture.
   void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->SetEditor(std::move(editor)); }
 
-  // Notes each frame from the next one on, over restarts of the stage; the recorder outlives the rehearsal, or null is set
-  // before.
+  // Notes each frame from the next one on, over restarts of the stage; the recorder outlives the rehearsal,
+  // or null is set before.
   void SetLog(showlog::Recorder* log);
 
   // The test's side of every device.

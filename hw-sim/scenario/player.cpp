@@ -48,8 +48,8 @@ void Player::Restart(Time start) {
   motions_.clear();
 }
 
-// Whatever the steps of `now`, the same actions are done in the same order; only the points between which slow
-// ones move differ.
+// Whatever the steps of `now`, the same actions are done in the same order; only the points between which
+// slow ones move differ.
 void Player::Perform(Time now) {
   const Duration to = now - start_;
   if (to < Duration::zero()) return;

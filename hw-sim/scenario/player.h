@@ -17,8 +17,8 @@ class Player {
   // The scenario begins at `start`; nothing is done before the first Perform.
   Player(Scenario scenario, DeviceRig& rig, Time start);
 
-  // Does everything up to and including `now`, in order; actions that take time go as far as they are by then.
-  // Times must not run backwards. Does not pump a link.
+  // Does everything up to and including `now`, in order; actions that take time go as far as they are by
+  // then. Times must not run backwards. Does not pump a link.
   void Perform(Time now);
 
   // Begins again; controls stay where they are.

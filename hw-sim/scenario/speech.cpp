@@ -47,7 +47,8 @@ constexpr std::string_view kLabials = "mbp";
 constexpr double kShutPart = 0.22;
 constexpr double kOpenPart = 0.62;
 
-// A consonant counts with the vowel behind it; an n at the end of a word is a syllable of its own, as in Japanese.
+// A consonant counts with the vowel behind it; an n at the end of a word is a syllable of its own, as in
+// Japanese.
 std::vector<Syllable> Syllables(std::string_view text) {
   std::vector<Syllable> syllables;
   bool shuts = false;

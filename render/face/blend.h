@@ -3,8 +3,8 @@
 // is three packed floats, so that one loop serves x, y and z and the result needs no rearranging.
 //
 // Both functions are pure, allocate nothing and may run on any thread. On x86-64 they choose the wide units
-// (AVX2 and FMA) at run time where the processor has them, on 64-bit ARM they are NEON; results then differ in
-// the last bits, since a fused multiplication and addition rounds once.
+// (AVX2 and FMA) at run time where the processor has them, on 64-bit ARM they are NEON; results then differ
+// in the last bits, since a fused multiplication and addition rounds once.
 #pragma once
 
 #include <cstddef>

@@ -38,8 +38,8 @@ struct EyeLook {
   float lash_wing_m = 0;
 };
 
-// How a face's eyeballs are painted, and how they answer light. Blended with the face. Shares count 0..1 but where
-// something else is said.
+// How a face's eyeballs are painted, and how they answer light. Blended with the face. Shares count 0..1 but
+// where something else is said.
 struct EyeSurface {
   // The ball's colour about the iris.
   glm::vec3 white{0.896F, 0.863F, 0.855F};
@@ -100,8 +100,8 @@ struct Face {
   SurfaceLook surface;
   // Indices into Cast::props: its hair, its clothes, its teeth and tongue.
   std::vector<int> props;
-  // What the head's outgrowths are like, 0..1: ears, or a handle. While faces that differ in this are mixed, outgrowths
-  // withdraw: half-way between ears and a handle lie horns.
+  // What the head's outgrowths are like, 0..1: ears, or a handle. While faces that differ in this are mixed,
+  // outgrowths withdraw: half-way between ears and a handle lie horns.
   float outgrowth_kind = 0;
   // How far each vertex of Topology::outgrowth moves when it is withdrawn, metres. Empty: not at all.
   std::vector<glm::vec3> withdrawn;

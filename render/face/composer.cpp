@@ -148,8 +148,8 @@ void Composer::Work::BlendCage(float mouth_given_away) {
   Blend(bases, composites.face_floats() - moving, cage.data() + moving);
 }
 
-// Wholly from a quarter on: what grew out of the one head is gone before what grows out of the other is seen. Nothing
-// happens to faces of one kind, whatever their weights.
+// Wholly from a quarter on: what grew out of the one head is gone before what grows out of the other is seen.
+// Nothing happens to faces of one kind, whatever their weights.
 void Composer::Work::Withdraw(const Cast& cast, const Terms& faces) {
   float kind = 0;
   for (const Term& t : faces) kind += t.weight * cast.faces[t.index].outgrowth_kind;

@@ -45,8 +45,8 @@ bool Faults::Finite(const std::string& item, std::span<const glm::vec3> values) 
       *this, item, values, [](const glm::vec3& v) { return !IsFinite(v); }, "positions are not numbers");
 }
 
-// Each test stands on the one before: starts of rows are looked at only where there are as many as wanted. A pack
-// from a disk may hold anything, and ApplyToValues checks nothing.
+// Each test stands on the one before: starts of rows are looked at only where there are as many as wanted. A
+// pack from a disk may hold anything, and ApplyToValues checks nothing.
 bool Faults::Rows(const std::string& item, const SparseRows& rows, std::size_t wanted_rows,
                   std::size_t columns) {
   if (!Size(item + ", rows", rows.rows(), wanted_rows)) return false;

@@ -106,8 +106,9 @@ std::vector<glm::vec3> Carry(const Expression& expression, std::span<const Frame
   return moved;
 }
 
-// An expression's displacements are stored in the frame of the skin, along u, along v and outwards, so that they
-// fit a face of another shape: each frame turns them into that face's own directions. Metres before and after.
+// An expression's displacements are stored in the frame of the skin, along u, along v and outwards, so that
+// they fit a face of another shape: each frame turns them into that face's own directions. Metres before and
+// after.
 void Carry(const Expression& expression, std::span<const Frame> frames, float gain,
            std::span<glm::vec3> moved) {
   for (std::size_t i = 0; i < frames.size(); ++i) {

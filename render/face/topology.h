@@ -102,7 +102,8 @@ struct Topology {
   std::array<LidRig, 2> lids;
   // Empty where the cage is drawn as it is.
   FineMesh fine;
-  // Of what grows far out of some heads: ears, which are a kettle's handle. Face::withdrawn has as many entries.
+  // Of what grows far out of some heads: ears, which are a kettle's handle. Face::withdrawn has as many
+  // entries.
   std::vector<Index> outgrowth;
 };
 

@@ -14,7 +14,8 @@ constexpr float kFlatArcs = 0.45F;
 // Half of the widest shoulders.
 constexpr float kShoulders_m = 0.19F;
 
-// Where the collars sit in the picture, and how far the arcs reach from there to the farthest corner of clothes. Pixels.
+// Where the collars sit in the picture, and how far the arcs reach from there to the farthest corner of
+// clothes. Pixels.
 glm::vec3 CollarInPicture(const Dressing& dressing, const FrameBlock& frame) {
   const glm::vec2 half_px = 0.5F * glm::vec2(frame.sway.z, frame.sway.w);
   const glm::vec3 collar_m(0, dressing.collar_m - dressing.sinks_m, 0);
@@ -25,7 +26,8 @@ glm::vec3 CollarInPicture(const Dressing& dressing, const FrameBlock& frame) {
   return {collar_px, std::max(glm::length(corner_px), 1.0F)};
 }
 
-// The colour of a garment's part, by its place in the order in which the face wears them; of fewer parts the last one.
+// The colour of a garment's part, by its place in the order in which the face wears them; of fewer parts the
+// last one.
 glm::vec3 OwnPaintAt(const Appearance& appearance, std::size_t face, std::size_t place) {
   glm::vec3 paint{};
   for (const int index : appearance.worn_by(face)) {
@@ -83,8 +85,8 @@ void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
   }
 }
 
-// `place` counts the garments of this face alone, in the order in which it wears them: garments of several faces
-// in the same place have one mixed paint.
+// `place` counts the garments of this face alone, in the order in which it wears them: garments of several
+// faces in the same place have one mixed paint.
 void ClothesPass::DrawWorn(const Appearance& appearance, const Variant& variant, const Dressing& dressing,
                            std::size_t face) {
   std::size_t place = 0;

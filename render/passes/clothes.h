@@ -1,5 +1,6 @@
-// Shoulders and collar. Of faces that cross-fade each dresses a part of the picture of its own, from the collar
-// down, and the parts wander; where a face has no neck to wear them on, clothes sink out of the picture.
+// Shoulders and collar. Of faces that cross-fade each dresses a part of the picture of its own, from the
+// collar down, and the parts wander; where a face has no neck to wear them on, clothes sink out of the
+// picture.
 #pragma once
 
 #include "render/gl/program.h"
@@ -15,14 +16,14 @@ class ClothesPass {
   // Errors: invalid_argument (a shader).
   static Result<ClothesPass> Open();
 
-  // `dressing` of the faces that the appearance was weighed for. Clothes breathe and lean with the head, but do
-  // not turn with it. No pixel shows garments of two faces, and what replaces each other is of one colour meanwhile,
-  // so that the border is not seen.
+  // `dressing` of the faces that the appearance was weighed for. Clothes breathe and lean with the head, but
+  // do not turn with it. No pixel shows garments of two faces, and what replaces each other is of one colour
+  // meanwhile, so that the border is not seen.
   void Draw(const Appearance& appearance, const Dressing& dressing, const FrameBlock& frame) const;
 
  private:
-  // Clothes as they were sewn, and clothes that give way to others: the latter discards fragments, which costs
-  // more.
+  // Clothes as they were sewn, and clothes that give way to others: the latter discards fragments, which
+  // costs more.
   struct Variant {
     gl::Program program;
     int paint = -1, fit = -1, collar = -1, neck = -1;

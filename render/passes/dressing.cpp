@@ -13,8 +13,8 @@ constexpr float kLowestRow = 0.004F;
 // jaw.
 constexpr float kBelowCollar_m = 0.020F;
 constexpr float kBeforeNeck_m = 0.030F;
-// With so much of a face that has no neck, clothes have sunk out of the picture, by kSunk_m. The neck withdraws into the
-// head sooner than that (render/face/composer.cpp).
+// With so much of a face that has no neck, clothes have sunk out of the picture, by kSunk_m. The neck
+// withdraws into the head sooner than that (render/face/composer.cpp).
 constexpr float kGoneWithNeckless = 0.3F;
 constexpr float kSunk_m = 0.32F;
 // A face with less weight than this dresses nobody: one step of 8 bits.
@@ -48,8 +48,8 @@ Necks::Necks(const face::Cast& cast) {
   }
 }
 
-// The neck's end is the lowest row of vertices in the parameter space; its middle is their mean, and its radius
-// the farthest of them to a side. Without such vertices it stays at 0.
+// The neck's end is the lowest row of vertices in the parameter space; its middle is their mean, and its
+// radius the farthest of them to a side. Without such vertices it stays at 0.
 void Necks::MeasureEnd(const face::Topology& topology, const face::Face& face, Neck& neck) {
   const auto lowest = std::ranges::min_element(topology.uv, {}, [](const glm::vec2& uv) { return uv.y; });
   if (lowest == topology.uv.end()) return;
@@ -62,9 +62,9 @@ void Necks::MeasureEnd(const face::Topology& topology, const face::Face& face, N
     neck.end_radius_m = std::max(neck.end_radius_m, std::abs(p.x - neck.end_m.x));
 }
 
-// The collar is the highest point of all clothes of the face, and far below everything where it wears none. The
-// neck's half width is taken a little below the collar, without what lies further forward than the neck, such as
-// a chin.
+// The collar is the highest point of all clothes of the face, and far below everything where it wears none.
+// The neck's half width is taken a little below the collar, without what lies further forward than the neck,
+// such as a chin.
 void Necks::MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& neck) {
   neck.collar_m = -1e9F;
   for (const int index : face.props) {

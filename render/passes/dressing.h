@@ -25,7 +25,8 @@ struct WornGarments {
   // So much higher than they were sewn, and so much wider about the neck.
   float rise_m = 0;
   float widen_m = 0;
-  // Its face's share of those that wear clothes, 0..1: garments that replace each other are of one colour meanwhile.
+  // Its face's share of those that wear clothes, 0..1: garments that replace each other are of one colour
+  // meanwhile.
   float weight = 1;
 };
 

@@ -87,8 +87,8 @@ class LidEdge {
   std::array<glm::vec3, kMost> edge_{};
 };
 
-// At kLidPlaces places from -kLidReach to kLidReach, of the upper lid and then of the lower one: eye.frag shades
-// the ball beside them.
+// At kLidPlaces places from -kLidReach to kLidReach, of the upper lid and then of the lower one: eye.frag
+// shades the ball beside them.
 std::array<float, 2 * kLidPlaces> LidHeights(const face::Shape& shape, const face::LidRig& rig,
                                              const face::EyeBall& ball) {
   std::array<float, 2 * kLidPlaces> heights;

@@ -17,7 +17,8 @@ class EyesPass {
   static Result<EyesPass> Open(const face::Topology& topology);
 
   // `gaze`: the character's left, right, turned about the ball's centre with the head. Lids shade the ball
-  // below them, by nine heights of each margin over it; a ball without a radius is left out. `pupil`: Scene::pupil.
+  // below them, by nine heights of each margin over it; a ball without a radius is left out. `pupil`:
+  // Scene::pupil.
   void Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze, float pupil) const;
   // Dark balls that only hide what lies behind them, for the wireframe.
   void DrawDark(const face::Shape& shape) const;

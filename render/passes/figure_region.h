@@ -36,9 +36,9 @@ struct Reaches {
   float hair_m = 0;
 };
 
-// Encloses the face, with what sticks out of it, and all that is worn in this frame, hair as it swings. Works on
-// the cage: the fine mesh stays within part of an edge of it, which is what `edges` are for. `appearance` must
-// have been weighed for this frame. Allocates nothing; projects each vertex of the cage once or twice.
+// Encloses the face, with what sticks out of it, and all that is worn in this frame, hair as it swings. Works
+// on the cage: the fine mesh stays within part of an edge of it, which is what `edges` are for. `appearance`
+// must have been weighed for this frame. Allocates nothing; projects each vertex of the cage once or twice.
 FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
                         const LongestEdges& edges, const Reaches& reaches = {});
 

@@ -52,7 +52,8 @@ struct Neck {
 // From the lowest vertex of the reference face: still up to 16 mm above it, turned with the head from
 // 62 mm on.
 Neck NeckOf(const face::Cast& cast);
-// The same for a collar whose upper end is at `collar_m`: a neck that stands in a higher collar turns above it.
+// The same for a collar whose upper end is at `collar_m`: a neck that stands in a higher collar turns above
+// it.
 Neck AboveCollar(Neck neck, float collar_m);
 
 // `soft_share` 0..1: how much of the textured styles is today's soft light; the rest is the plain one of

@@ -16,7 +16,8 @@ constexpr glm::vec3 kGleam{0.16F, 0.10F, 0.065F};
 // Hair below this share is not drawn, and above kWhole it is drawn as it was cut, which is cheaper.
 constexpr float kHairGone = 0.004F;
 constexpr float kWhole = 0.999F;
-// Hair ends this far beyond its length, so that the tips of whole hair are out of the reach of what shortens it.
+// Hair ends this far beyond its length, so that the tips of whole hair are out of the reach of what shortens
+// it.
 constexpr float kBeyondTips = 1.35F;
 // The order of hair runs from the one to the other.
 constexpr glm::vec3 kCrown_m{0, 0.125F, 0};
@@ -35,7 +36,8 @@ struct HairOf {
   glm::vec3 colour{};
   float lowest_m = 1e9F;
 };
-// The first soft mesh's colour stands for all of them. Without soft hair the lowest tip is far above everything.
+// The first soft mesh's colour stands for all of them. Without soft hair the lowest tip is far above
+// everything.
 HairOf SoftHairOf(const Appearance& appearance, std::size_t face) {
   HairOf hair;
   for (const int index : appearance.worn_by(face)) {
@@ -64,10 +66,10 @@ face::Terms LongestFirst(const Appearance& appearance, const face::Terms& faces)
 
 }  // namespace
 
-// Two passes over the faces. The first finds how much of the blend has soft hair at all, and its mean colour; the
-// second gives each face its part [from, to) of the order from crown to tips, as large as its weight among those
-// with hair. The last part ends at 2, so that no strand falls out at the border by rounding. A face that is whole
-// needs no motion.
+// Two passes over the faces. The first finds how much of the blend has soft hair at all, and its mean colour;
+// the second gives each face its part [from, to) of the order from crown to tips, as large as its weight
+// among those with hair. The last part ends at 2, so that no strand falls out at the border by rounding. A
+// face that is whole needs no motion.
 void Hairdo::Comb(const Appearance& appearance, const HeadFit& fit, const face::Terms& faces, float share) {
   const auto is_soft = [](const PropMesh& prop) { return !prop.hard; };
   const auto is_any = [](const PropMesh&) { return true; };

@@ -11,8 +11,8 @@ namespace kaori::passes {
 // One face's hair in a frame.
 struct WornHair {
   std::uint16_t face = 0;
-  // Of the order in which hair replaces hair, 0 at the crown .. 1 at the tips: it is seen where the order lies
-  // within [from, to), and no other face's is.
+  // Of the order in which hair replaces hair, 0 at the crown .. 1 at the tips: it is seen where the order
+  // lies within [from, to), and no other face's is.
   float from = 0;
   float to = 1;
   // 0..1: what is left of its length, where others have none; and of the face's hard things.
@@ -66,8 +66,8 @@ class HairPass {
   };
   // `defines`: nothing, or GROWTH.
   static Result<Variant> MakeVariant(std::string defines);
-  // One face's hair, and the hard things that are worn with it. `span_px`: where the order of hair begins, and its
-  // length.
+  // One face's hair, and the hard things that are worn with it. `span_px`: where the order of hair begins,
+  // and its length.
   void DrawWorn(const Appearance& appearance, const WornHair& worn, glm::vec2 span_px) const;
 
   Variant whole_;

@@ -124,8 +124,8 @@ HeadFit::Motion HeadFit::To(const face::Terms& faces, std::size_t face) const {
   return sum;
 }
 
-// Looks at seven points about a head: above, at both sides, behind, before, and where long hair ends. An estimate
-// for the margin of what is redrawn, and no bound.
+// Looks at seven points about a head: above, at both sides, behind, before, and where long hair ends. An
+// estimate for the margin of what is redrawn, and no bound.
 float HeadFit::Reach_m(const Motion& motion) {
   constexpr std::array<glm::vec3, 7> kAbout{{{0, 0.13F, 0},
                                              {0.1F, 0.03F, 0},

@@ -1,5 +1,5 @@
-// Carries what was made for one face's head, hair and glasses, to the head that faces have together while they
-// cross-fade: a smooth motion of the space about the head.
+// Carries what was made for one face's head, hair and glasses, to the head that faces have together while
+// they cross-fade: a smooth motion of the space about the head.
 #pragma once
 
 #include <array>
@@ -14,8 +14,9 @@ namespace kaori::passes {
 
 class HeadFit {
  public:
-  // Motions are polynomials of the third degree in decimetres from kMiddle_m, in the order that hair.vert reads:
-  // 1, x, y, z, xx, yy, zz, xy, yz, zx, xxx, xxy, xxz, yyx, yyy, yyz, zzx, zzy, zzz, xyz. Each coefficient is a motion in metres; w is not used.
+  // Motions are polynomials of the third degree in decimetres from kMiddle_m, in the order that hair.vert
+  // reads: 1, x, y, z, xx, yy, zz, xy, yz, zx, xxx, xxy, xxz, yyx, yyy, yyz, zzx, zzy, zzz, xyz. Each
+  // coefficient is a motion in metres; w is not used.
   static constexpr std::size_t kTerms = 20;
   static constexpr glm::vec3 kMiddle_m{0, 0.03F, -0.01F};
   using Motion = std::array<glm::vec4, kTerms>;

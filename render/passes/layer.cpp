@@ -13,7 +13,8 @@
 namespace kaori::passes {
 namespace {
 
-// From dot to dot on the head; few enough to be seen from the last row. Below the pitch they would not be dots.
+// From dot to dot on the head; few enough to be seen from the last row. Below the pitch they would not be
+// dots.
 constexpr float kDots_m = 0.0029F;
 constexpr float kLeastPitch_px = 3.5F;
 // The middle of the face, and how far from there the head's size in the picture is measured.

@@ -11,8 +11,8 @@
 
 namespace kaori::passes {
 
-// The dots of a print go with the head: xy: its middle in the picture, pixels; zw: along a row of dots, radians of their
-// wave for each pixel.
+// The dots of a print go with the head: xy: its middle in the picture, pixels; zw: along a row of dots,
+// radians of their wave for each pixel.
 glm::vec4 DotsOn(const FrameBlock& frame);
 
 // Reads each sample of the layer, squares it to light, and blends light: with samples averaged first, edges

@@ -62,8 +62,8 @@ scene::Backdrop Sane(const scene::Backdrop& backdrop) {
   return b;
 }
 
-// Styles sum to 1 afterwards. Where nothing is left of them, as when none was a number, the default of a scene
-// counts.
+// Styles sum to 1 afterwards. Where nothing is left of them, as when none was a number, the default of a
+// scene counts.
 std::array<float, scene::kStyleCount> Sane(std::array<float, scene::kStyleCount> styles) {
   for (float& s : styles) s = Within(s, 0, 0, 1);
   const float sum = std::accumulate(styles.begin(), styles.end(), 0.0F);

@@ -27,8 +27,8 @@ constexpr float kEyeBrightness = 2.6F;
 constexpr float kFadedBelow = 0.01F;
 constexpr float kSeenAbove = 0.15F;
 
-// From the height in texture coordinates: 0 where the neck ends, 1 above it. Vertices without such coordinates do
-// not fade.
+// From the height in texture coordinates: 0 where the neck ends, 1 above it. Vertices without such
+// coordinates do not fade.
 std::vector<float> FadesOf(const face::Topology& topology) {
   std::vector<float> fades;
   for (const glm::vec2& place : topology.texture) {

@@ -150,8 +150,8 @@ void AddFramingLocks(ClothMesh& mesh, const HairLook& look) {
   }
 }
 
-// Between the parting in the middle and the curtain, hair is combed from the hairline to the sides, one lock behind the
-// other, and runs under the curtain's edge.
+// Between the parting in the middle and the curtain, hair is combed from the hairline to the sides, one lock
+// behind the other, and runs under the curtain's edge.
 void AddPartedLocks(ClothMesh& mesh, const HairLook& look) {
   constexpr int kPartedLocks = 5;  // A side.
   Dice dice(look.seed + 5);

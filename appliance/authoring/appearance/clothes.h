@@ -13,7 +13,8 @@ namespace kaori::appearance {
 // Each function below makes the props of one cut, named after the face ("kaori.blouse"); `neck` is where the
 // garment begins. What main, collar and accent colour is told at each. Pure; lengths of the arguments are
 // centimetres, those of the props metres.
-// In the order main, collar, accent: while faces cross-fade, those of one place in it take each other's colour.
+// In the order main, collar, accent: while faces cross-fade, those of one place in it take each other's
+// colour.
 using Garment = std::vector<face::Prop>;
 
 // Main: the blouse; collar: a round one; accent: a bow.

@@ -94,8 +94,9 @@ Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
 // Freckles fade to either side of their middle.
 constexpr float kFrecklesFade_cm = 2.6F;
 
-// A crease as strokes on both sides: a wide soft fold with a fine line in it; one width all over would look like a
-// scratch. Multiplying the skin by a brownish shade darkens it as blood and shadow do, at every colour of skin.
+// A crease as strokes on both sides: a wide soft fold with a fine line in it; one width all over would look
+// like a scratch. Multiplying the skin by a brownish shade darkens it as blood and shadow do, at every colour
+// of skin.
 void DrawCrease(Canvas& canvas, const Crease& crease, float amount, glm::vec3 base) {
   if (amount <= 0) return;
   constexpr std::array<float, 6> kWidths{4.2F, 3.2F, 2.3F, 1.5F, 0.8F, 0.35F};

@@ -56,8 +56,8 @@ void PaintWhiskerSpots(glm::vec2 p, const CoatLook& coat, Paint& paint) {
     paint.Mix(0.55F * Bell2(p, spot, {0.09F, 0.08F}), Hex("#4a3626"));
 }
 
-// What lets a muzzle stand out in front view, where its length is not seen: shade where it leaves the cheeks, below the
-// eyes and under the nose.
+// What lets a muzzle stand out in front view, where its length is not seen: shade where it leaves the cheeks,
+// below the eyes and under the nose.
 void PaintMuzzleShade(glm::vec2 p, const SkinLook& look, Paint& paint) {
   const glm::vec2 nose = look.coat.nose.at_cm;
   const float cheek = 0.34F * Bell2(p, nose + glm::vec2(3.3F, -0.4F), {0.9F, 2.3F});

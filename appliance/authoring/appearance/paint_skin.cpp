@@ -86,8 +86,8 @@ void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint) {
   paint.MixGloss(covered * (1 - look.ragged), 0.02F);
 }
 
-// x of p is the distance from the middle of the face on the unrolled surface, which all faces share; rings are
-// the eye's own and lie on the lids of each face.
+// x of p is the distance from the middle of the face on the unrolled surface, which all faces share; rings
+// are the eye's own and lie on the lids of each face.
 void PaintLids(const Texel& texel, const LidLook& look, Paint& paint) {
   const float k = texel.eye_ring;
   if (k <= 0) return;

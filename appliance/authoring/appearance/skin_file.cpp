@@ -16,8 +16,8 @@ Spot ReadSpot(toml::Section& s, std::string_view at, std::string_view radii) {
 
 }  // namespace
 
-// All creases are read, so that all of their faults are told. One whose path has another number of points than
-// three keeps three at the origin, which no caller sees after the fault.
+// All creases are read, so that all of their faults are told. One whose path has another number of points
+// than three keeps three at the origin, which no caller sees after the fault.
 Creases ReadCreases(toml::Section s) {
   s.AllowOnly({"amount", "creases"});
   Creases creases{Share(s, "amount", 1), {}};

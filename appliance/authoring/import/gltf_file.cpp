@@ -166,8 +166,8 @@ class Builder {
     return &model_.targets.back();
   }
 
-  // Strips, fans, lines and points are refused, and corners beyond the vertices of the primitive, whatever other
-  // primitives have added since.
+  // Strips, fans, lines and points are refused, and corners beyond the vertices of the primitive, whatever
+  // other primitives have added since.
   void AddTriangles(const tinygltf::Primitive& primitive, const VertexRange& vertices, bool mirrored) {
     // The library says -1 where the file says nothing, which means triangles.
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1)

@@ -59,7 +59,8 @@ Offsets OffsetsOfCast(const face::Cast& cast, const face::Expression& expression
   return Difference(cast, weights, composer);
 }
 
-// Blinks come by the weights of the lids and not by name, since a cast may shut its lids without an expression.
+// Blinks come by the weights of the lids and not by name, since a cast may shut its lids without an
+// expression.
 HeadShape ShapeOfCast(const face::Cast& cast) {
   face::Composer composer(cast);
   HeadShape head{cast.faces.front().positions, cast.topology.triangles, cast.faces.front().eyes, {}, {}, {}};

@@ -5,8 +5,8 @@
 
 namespace kaori::import {
 
-// Buttons and keys that call a lost face call nothing; scenes show the first face instead. So do levels of roles, which keep
-// their numbers.
+// Buttons and keys that call a lost face call nothing; scenes show the first face instead. So do levels of
+// roles, which keep their numbers.
 void DropLostFaces(show::Show& show);
 
 }  // namespace kaori::import

@@ -151,8 +151,8 @@ Inspection Sum(std::vector<Inspection> parts) {
 
 }  // namespace
 
-// Workers share only the number of the next face and the lock for speaking: each result has a place of its own,
-// and nothing is locked while a face is looked at.
+// Workers share only the number of the next face and the lock for speaking: each result has a place of its
+// own, and nothing is locked while a face is looked at.
 Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun,
                    Scope scope) {
   if (cast.topology.fine.triangles.empty()) return {};

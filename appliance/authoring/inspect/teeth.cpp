@@ -57,8 +57,8 @@ bool TeethFacesUs(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
 
 }  // namespace
 
-// The picture is as large as the teeth, so that the rest of the head costs little. Where no skin was drawn its
-// depth lies a thousand kilometres behind, which kBeforeTheLips leaves out.
+// The picture is as large as the teeth, so that the rest of the head costs little. Where no skin was drawn
+// its depth lies a thousand kilometres behind, which kBeforeTheLips leaves out.
 TeethThroughLips FindTeethThroughLips(const face::Cast& cast, const face::Face& face,
                                       const face::Shape& shape, const std::vector<bool>& skin) {
   TeethThroughLips through;

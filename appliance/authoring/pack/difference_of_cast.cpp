@@ -170,8 +170,8 @@ void ComparePoint(const std::string& item, const face::ControlPoint& a, const fa
   if (by_m > 0) lines.push_back(fmt::format("{}: lies {:.2f} mm elsewhere", item, by_m / kMillimetre_m));
 }
 
-// Lids are shares of shut, left and right. What control points cannot say (the residual) is compared vertex by
-// vertex, and only where both have as many.
+// Lids are shares of shut, left and right. What control points cannot say (the residual) is compared vertex
+// by vertex, and only where both have as many.
 void CompareExpression(const std::string& item, const WornExpression& a, const WornExpression& b,
                        Lines& lines) {
   if (a.expression.kind != b.expression.kind) lines.push_back(item + ": is of another kind");

@@ -18,7 +18,8 @@
 namespace kaori::authoring {
 namespace {
 
-// The words behind the action, which all begin with a show's folder and, but for `list`, the take that is made or changed.
+// The words behind the action, which all begin with a show's folder and, but for `list`, the take that is
+// made or changed.
 constexpr std::size_t kFolder = 1, kName = 2;
 
 Result<float> NumberOf(const std::string& word, float least, float most) {

@@ -27,8 +27,8 @@ std::vector<Evening> EveningsOf(const Logs& logs, const show::Show& show) {
   return evenings;
 }
 
-// The last log is the evening that is told, and must be readable; an earlier one that is not is left out with a
-// warning. All of them are played with the show of the last one, so that cues are compared by one list.
+// The last log is the evening that is told, and must be readable; an earlier one that is not is left out with
+// a warning. All of them are played with the show of the last one, so that cues are compared by one list.
 int RunReport(const Arguments& arguments) {
   Logs logs;
   for (std::size_t i = 1; i < arguments.words.size(); ++i) {

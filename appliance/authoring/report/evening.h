@@ -54,11 +54,12 @@ struct Evening {
   std::vector<std::string> faults;  // Of the logs themselves.
 };
 
-// Plays the logs of one evening again, in their order, with the show that was played; takes some seconds for an hour. Pure.
+// Plays the logs of one evening again, in their order, with the show that was played; takes some seconds for
+// an hour. Pure.
 Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::Show& show);
 
-// When each cue is usually played, after the first cue of its act: the median over these evenings, of the first time that it
-// was played on each.
+// When each cue is usually played, after the first cue of its act: the median over these evenings, of the
+// first time that it was played on each.
 std::map<std::size_t, Duration> UsualTimes(std::span<const Evening> evenings, const show::Show& show);
 
 // The same of one evening.

@@ -92,8 +92,8 @@ Result<std::int32_t> MotionBeside(const show::Show& show, const RecordOptions& o
   return static_cast<std::int32_t>(found - show.motions.begin());
 }
 
-// The log is played again up to the stretch and through it. A gap in it is refused: a take across it would jump. Fewer than
-// three frames are no movement.
+// The log is played again up to the stretch and through it. A gap in it is refused: a take across it would
+// jump. Fewer than three frames are no movement.
 Result<std::vector<Sample>> Samples(const showlog::LogFile& log, const show::Show& show,
                                     const RecordOptions& options) {
   const auto beside = MotionBeside(show, options);

@@ -46,7 +46,8 @@ show::Call ReadItem(Script& script, toml::Section& section, const std::string& k
   return {};
 }
 
-// What a button or a key calls, and how: "face kaori", "toggle expression angry". An empty text calls nothing.
+// What a button or a key calls, and how: "face kaori", "toggle expression angry". An empty text calls
+// nothing.
 show::Call ReadCall(Script& script, toml::Section& section, const std::string& key,
                     const toml::Value& value) {
   if (value.kind != toml::Value::Kind::kText) {
@@ -83,8 +84,8 @@ show::FadeCurve ReadCurve(toml::Section& section) {
 
 }  // namespace
 
-// Keys are what a button would call, "face kaori" or "expression angry". Each list is as long as its last item
-// with a fade needs; items behind that have none of their own.
+// Keys are what a button would call, "face kaori" or "expression angry". Each list is as long as its last
+// item with a fade needs; items behind that have none of their own.
 void ReadFades(Script& script, toml::Section fades) {
   for (const auto& entry : fades.table().table) {
     const auto [kind, name] = Split(entry.first);

@@ -10,8 +10,8 @@
 
 namespace kaori::authoring {
 
-// "a".."z", "0".."9", "f1".."f12", "enter", "escape", "backspace", in small letters; none for other names. The
-// usage is of the key's place on a US keyboard, as HID counts.
+// "a".."z", "0".."9", "f1".."f12", "enter", "escape", "backspace", in small letters; none for other names.
+// The usage is of the key's place on a US keyboard, as HID counts.
 inline std::optional<std::uint16_t> KeyUsage(std::string_view name) {
   if (name.size() == 1 && name[0] >= 'a' && name[0] <= 'z')
     return static_cast<std::uint16_t>(board::key::kA + (name[0] - 'a'));

@@ -9,7 +9,8 @@ namespace {
 // In the order of show::LifePart.
 constexpr std::array<const char*, show::kLifePartCount> kLifeParts{"blink", "glance", "head", "breath",
                                                                    "accents"};
-// Words for the gaze that every show has: nobody is no place and cannot be given one, the camera can be moved.
+// Words for the gaze that every show has: nobody is no place and cannot be given one, the camera can be
+// moved.
 constexpr const char* kNobodyName = "nobody";
 constexpr const char* kCameraName = "camera";
 // Where the picture's own viewer is: whoever sees the picture is looked at.
@@ -39,7 +40,8 @@ void ReadTarget(Script& script, toml::Section& gaze, const std::string& name) {
 
 }  // namespace
 
-// House and camera are there before the file is read, so that the house is the first one, as HouseOf counts on.
+// House and camera are there before the file is read, so that the house is the first one, as HouseOf counts
+// on.
 void ReadGazeTargets(Script& script, toml::Section gaze) {
   script.show.gaze_targets = {{show::kHouseName, show::kHouse_m}, {kCameraName, kCamera_m}};
   for (const auto& entry : gaze.table().table) ReadTarget(script, gaze, entry.first);

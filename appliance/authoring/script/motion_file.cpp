@@ -8,7 +8,8 @@
 namespace kaori::authoring {
 namespace {
 
-// A name is first one of kCurveNames, then an expression of the cast; without a list of those it is taken for one.
+// A name is first one of kCurveNames, then an expression of the cast; without a list of those it is taken for
+// one.
 show::MotionCurve ReadMotionCurve(Script& script, toml::Section& section, const std::string& user,
                                   const std::string& name, const toml::Value& pairs) {
   const CurveName* const named = CurveNamed(name);

@@ -30,7 +30,8 @@ std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std
   return 0;
 }
 
-// The number is given even where it is a fault. `otherwise` is judged as well, and must lie within the bounds.
+// The number is given even where it is a fault. `otherwise` is judged as well, and must lie within the
+// bounds.
 float Between(toml::Section& section, std::string_view key, float otherwise, float most, const char* unit) {
   return section.FloatOr(key, otherwise, 0, most, unit);
 }

@@ -60,8 +60,8 @@ void ReadChannels(Script& script, toml::Section section) {
     channels.mouth[i] = ExpressionNamed(script, section, "mouth", mouth[i]);
 }
 
-// Gaze targets before scenes, and scenes before motions and buttons, which may call them. [[take]] is what motions were called before; takes have
-// files of their own.
+// Gaze targets before scenes, and scenes before motions and buttons, which may call them. [[take]] is what
+// motions were called before; takes have files of their own.
 void ReadScript(Script& script, toml::Section file) {
   if (file.Has("take")) file.Fault("take", "a registered motion is now written [[motion]], not [[take]]");
   file.AllowOnly(

@@ -1,4 +1,5 @@
-// The parts of show.toml, each in a file of its own: names_in_show.cpp, motion_file.cpp, controls_file.cpp; and takes.
+// The parts of show.toml, each in a file of its own: names_in_show.cpp, motion_file.cpp, controls_file.cpp;
+// and takes.
 #pragma once
 
 #include <array>
@@ -72,15 +73,17 @@ toml::Section Named(Script& script, const char* kind, const toml::Section& secti
 // starts and ends at 0. Angles are degrees in the file and radians in the motion.
 show::Motion ReadMotion(Script& script, toml::Section section);
 
-// The expression that a curve moves, by its name; 0 where nobody knows the names (KnownNames). Else what is wrong with it.
+// The expression that a curve moves, by its name; 0 where nobody knows the names (KnownNames). Else what is
+// wrong with it.
 tl::expected<std::uint16_t, std::string> ChannelNamed(const Script& script, const std::string& name);
 
-// The takes beside show.toml, takes/NAME.toml in the order of their names, as motions behind those of show.toml. Their faults go
-// to Script::faults_of_takes. A take with faults is there by its name, so that who calls it is not faulted too.
+// The takes beside show.toml, takes/NAME.toml in the order of their names, as motions behind those of
+// show.toml. Their faults go to Script::faults_of_takes. A take with faults is there by its name, so that who
+// calls it is not faulted too.
 void ReadTakes(Script& script);
 
-// [gaze]: what she can look at, by name, as three numbers in metres. The show then has the house first and the camera, whether
-// the file names them or not.
+// [gaze]: what she can look at, by name, as three numbers in metres. The show then has the house first and
+// the camera, whether the file names them or not.
 void ReadGazeTargets(Script& script, toml::Section gaze);
 // "seat 12" of those, or "nobody".
 std::int32_t GazeNamed(Script& script, toml::Section& section, std::string_view key, const std::string& name);
@@ -90,8 +93,8 @@ show::LifeAmounts LifeAt(toml::Section& section, std::string_view key, float oth
 // The cue list, of cues.toml. Scenes, motions, gaze targets and roles must have been read.
 void ReadCueList(Script& script, toml::Section file);
 
-// Fills the 32 buttons of a sheet, which stand in `list` as rows of texts such as "face kaori". Scenes must have been read, since
-// buttons name them.
+// Fills the 32 buttons of a sheet, which stand in `list` as rows of texts such as "face kaori". Scenes must
+// have been read, since buttons name them.
 void ReadButtons(Script& script, const toml::Section& file, const std::string& list,
                  std::array<show::Call, show::kButtonCount>& into);
 // [fades]: how faces and expressions come and go when a person calls them.

@@ -14,8 +14,9 @@ namespace kaori::sculpt {
 // Three indices of points.
 using Corners3 = std::array<std::size_t, 3>;
 
-// Triangles counter-clockwise, as indices into `points`. Empty where the points do not span a plane. Points on
-// one circle are split in a way that depends on the platform's arithmetic only where they lie on it exactly.
+// Triangles counter-clockwise, as indices into `points`. Empty where the points do not span a plane. Points
+// on one circle are split in a way that depends on the platform's arithmetic only where they lie on it
+// exactly.
 std::vector<Corners3> Delaunay(const std::vector<glm::dvec2>& points);
 
 // The shares of a triangle's corners in `p` (barycentric coordinates); they sum to 1, one is negative

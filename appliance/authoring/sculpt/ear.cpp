@@ -37,7 +37,8 @@ constexpr std::array<Ring, kEarRings> kRings{{{0.78, 0.15, 0.45, false},
                                               {0.92, 0.45, 1.46, false},
                                               {0.76, 0.16, 0.80, true},
                                               {0.57, 0.40, 1.22, true}}};
-// The lobe is a soft pad: the rings' reliefs become one below, from the first of these heights on the disc to the second.
+// The lobe is a soft pad: the rings' reliefs become one below, from the first of these heights on the disc to
+// the second.
 constexpr double kLobe_cm = 0.62;
 constexpr glm::dvec2 kLobeFromTo{-0.45, -0.85};
 // The tragus stands before the opening: how far it lifts the two inner rings, and how high it is on the disc.

@@ -69,8 +69,8 @@ Factored::Factored(SquareMatrix a) : lower_(std::move(a)) {
   }
 }
 
-// L y = right downwards, then L' x = y upwards, for which L is read by rows as well: once x_i is known its part
-// is taken out of all above it.
+// L y = right downwards, then L' x = y upwards, for which L is read by rows as well: once x_i is known its
+// part is taken out of all above it.
 void Factored::Solve(std::vector<glm::dvec3>& right) const {
   for (std::size_t i = 0; i < lower_.size; ++i) {
     for (std::size_t k = 0; k < i; ++k) right[i] -= lower_(i, k) * right[k];

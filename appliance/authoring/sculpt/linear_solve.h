@@ -24,8 +24,8 @@ struct SquareMatrix {
 // singular (a pivot below 1e-12); `right` is then spoilt.
 bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right);
 
-// A symmetric, positive definite matrix, for many right sides: Cholesky's factor L with a = L L', which is made once
-// in O(n^3).
+// A symmetric, positive definite matrix, for many right sides: Cholesky's factor L with a = L L', which is
+// made once in O(n^3).
 class Factored {
  public:
   // Reads the lower triangle of `a` alone. Whether it is positive definite is for the caller to know.

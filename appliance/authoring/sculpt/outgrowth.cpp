@@ -15,8 +15,9 @@ namespace {
 constexpr std::array<double, kEarRings + 1> kWidth{1, 0.86, 0.71, 0.56, 0.40, 0.24};
 constexpr std::array<double, kEarRings + 1> kHigh_cm{0, 0.16, 0.28, 0.36, 0.41, 0.44};
 
-// Rows of the neck, from its lower end; the row over them is where a neck begins under the jaw. Withdrawn, they close the
-// head from below as a flat dome: how wide each is, of the row over them, and how far the middle hangs below it.
+// Rows of the neck, from its lower end; the row over them is where a neck begins under the jaw. Withdrawn,
+// they close the head from below as a flat dome: how wide each is, of the row over them, and how far the
+// middle hangs below it.
 constexpr int kNeckRows = 5;
 constexpr std::array<double, kNeckRows> kNeckWidth{0.01, 0.25, 0.50, 0.70, 0.87};
 constexpr double kDome_cm = 0.5;
@@ -93,7 +94,8 @@ bool IsTurned(const FaceRecipe& face) {
   return std::holds_alternative<Turned>(face.shape);
 }
 
-// The neck below row kNeckRows, and the ear's block with its cap, out of which a kettle's handle is drawn too.
+// The neck below row kNeckRows, and the ear's block with its cap, out of which a kettle's handle is drawn
+// too.
 bool Grows(const Key& key) {
   if (key.region == Region::kGrid) return key.b < kNeckRows;
   return key.region == Region::kEar || key.region == Region::kEarCap;
@@ -101,8 +103,8 @@ bool Grows(const Key& key) {
 
 }  // namespace
 
-// Withdrawn places are kept as offsets in metres from the face's own positions, in the order of the outgrowth.
-// In a cast of one kind nothing is mixed that differs in it, and the lists stay empty.
+// Withdrawn places are kept as offsets in metres from the face's own positions, in the order of the
+// outgrowth. In a cast of one kind nothing is mixed that differs in it, and the lists stay empty.
 void AddOutgrowths(const Cage& cage, const std::vector<ShapedFace>& shaped, const CastRecipe& recipe,
                    face::Cast& cast) {
   cast.topology.outgrowth.clear();

@@ -23,7 +23,8 @@ PaintAttributes OfMouth(const Key& key) {
           .bag = key.b > kLipContactRing ? 1.0F : 0.0F};
 }
 
-// The spout's rim is half of its inside, where the paint changes from one to the other; its foot is the body's.
+// The spout's rim is half of its inside, where the paint changes from one to the other; its foot is the
+// body's.
 PaintAttributes OfGrid(const Key& key) {
   if (!IsOnSpoutPatch(key)) return {};
   switch (SpoutPartOf(key)) {

@@ -31,8 +31,8 @@ double InnerSlope(double h0, double h1, double d0, double d1) {
 
 }  // namespace
 
-// h is the width of each interval and d the slope across it. With two points both ends get the one slope there
-// is.
+// h is the width of each interval and d the slope across it. With two points both ends get the one slope
+// there is.
 Pchip::Pchip(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y)) {
   const std::size_t n = x_.size();
   assert(n >= 2 && y_.size() == n);

@@ -31,7 +31,8 @@ void NeedPositive(toml::Section& section, std::string_view key, double value) {
   if (!(value > 0)) section.Fault(key, "must be greater than 0");
 }
 
-// The value is returned even where it is a fault: the verdict comes at the end, and nothing is built before it.
+// The value is returned even where it is a fault: the verdict comes at the end, and nothing is built before
+// it.
 double Positive(toml::Section& section, std::string_view key) {
   const double value = section.Number(key);
   NeedPositive(section, key, value);
@@ -166,8 +167,8 @@ Warped ReadWarped(toml::Section& file) {
   return warped;
 }
 
-// [spout] of a kettle, in centimetres like all of the file. Its lengths have no bounds; only an axis without a
-// length is refused, since it has no direction.
+// [spout] of a kettle, in centimetres like all of the file. Its lengths have no bounds; only an axis without
+// a length is refused, since it has no direction.
 Spout ReadSpout(toml::Section section) {
   section.AllowOnly(
       {"foot", "tip", "foot_width", "foot_height", "foot_out", "rim_radius", "hole_depth", "hole_radius"});

@@ -19,7 +19,8 @@ using Keys = std::vector<MotionKey>;
 constexpr float kBlendStep_s = 1.0F / 60;
 constexpr float kSameKey_s = 1e-3F;
 
-// Of the keys between two of them, the one farthest from the curve through those that are kept; `to` where all lie near enough.
+// Of the keys between two of them, the one farthest from the curve through those that are kept; `to` where
+// all lie near enough.
 std::size_t Farthest(const Keys& keys, const Keys& through, std::size_t from, std::size_t to, float error) {
   std::size_t farthest = to;
   for (std::size_t k = from + 1; k < to; ++k) {
@@ -63,7 +64,8 @@ float ShareOf(const Take& second, float at_s, float length_s) {
   return SmoothStep(std::min(at_s, length_s - at_s) / std::min(second.ease_s, length_s / 2));
 }
 
-// What stands at the ends of a curve goes on before and behind it: nothing jumps where a patch reaches beyond them.
+// What stands at the ends of a curve goes on before and behind it: nothing jumps where a patch reaches beyond
+// them.
 float HeldAt(const Keys& keys, float at_s) {
   return keys.empty() ? 0 : RecordedAt(keys, std::clamp(at_s, keys.front().at_s, keys.back().at_s));
 }
@@ -99,8 +101,9 @@ bool SameChannel(const TakeCurve& a, const TakeCurve& b) {
   return a.target == b.target && a.channel == b.channel;
 }
 
-// From two keys on, each round adds the farthest of every stretch: slopes depend on the neighbours, so that all of them are
-// looked at again. Ends after some tens of rounds at the latest, since each adds what is needed nearly everywhere.
+// From two keys on, each round adds the farthest of every stretch: slopes depend on the neighbours, so that
+// all of them are looked at again. Ends after some tens of rounds at the latest, since each adds what is
+// needed nearly everywhere.
 Keys Thinned(const Keys& keys, float error) {
   if (keys.size() < 3) return keys;
   std::vector<std::size_t> kept{0, keys.size() - 1};

@@ -13,9 +13,11 @@ using performance::Mix;
 using performance::SmoothStep;
 using show::MotionKey;
 
-// Where a curve is bent by easing, it gets keys so far apart. Keys that are nearer to each other than the second are one.
+// Where a curve is bent by easing, it gets keys so far apart. Keys that are nearer to each other than the
+// second are one.
 constexpr float kStep_s = 1.0F / 60, kSameTime_s = 1e-3F;
-// Between the end of easing in and the place to which a loop goes back: the keys about that place are then those about its end.
+// Between the end of easing in and the place to which a loop goes back: the keys about that place are then
+// those about its end.
 constexpr float kBehindEase_s = 0.1F;
 
 // One curve of a take, as it is played.
@@ -63,7 +65,8 @@ class PlayedCurve {
  private:
   float PlayedAt(float recorded_s) const { return (recorded_s - take_.from_s) * take_.stretch; }
 
-  // An end of the curve within a loop is eased; what the trimming or the recording ends is closed by the blend instead.
+  // An end of the curve within a loop is eased; what the trimming or the recording ends is closed by the
+  // blend instead.
   float Easing(float at_s) const {
     const bool begins = !take_.loop || first_s_ > kSameTime_s;
     const bool ends = !take_.loop || last_s_ < length_s_ - kSameTime_s;
@@ -76,7 +79,8 @@ class PlayedCurve {
     return gain_ * RecordedAt(keys_, take_.from_s + at_s / take_.stretch) * Easing(at_s);
   }
 
-  // The last seconds before the loop's end are faded into those before its beginning, which the recording has as well.
+  // The last seconds before the loop's end are faded into those before its beginning, which the recording has
+  // as well.
   float ValueInLoop(float at_s, float period_s) const {
     const float blend_s = length_s_ - period_s;
     if (at_s >= blend_s) return Value(at_s);

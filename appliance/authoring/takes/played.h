@@ -10,9 +10,10 @@ namespace kaori::authoring {
 // The value of a recording's curve, in the file's unit; at its last key too, and 0 outside of it.
 float RecordedAt(const std::vector<show::MotionKey>& keys, float at_s);
 
-// A curve as it is played, in radians, metres or weights and in seconds of playing: begins and, unless the take loops, ends at
-// 0, and so does a curve that is shorter than its take. Empty: the curve lies outside of what is played. Where neither easing
-// nor the seam of a loop reaches, its keys are those of the recording. Pure.
+// A curve as it is played, in radians, metres or weights and in seconds of playing: begins and, unless the
+// take loops, ends at 0, and so does a curve that is shorter than its take. Empty: the curve lies outside of
+// what is played. Where neither easing nor the seam of a loop reaches, its keys are those of the recording.
+// Pure.
 std::vector<show::MotionKey> PlayedKeys(const Take& take, const TakeCurve& curve);
 
 // Where it loops, as show::Motion has it. Both 0: it does not.

@@ -1,7 +1,7 @@
 // A take: what an operator played, as it lies in a show's folder (takes/NAME.toml).
 //
-// What was played is kept whole. Trimming, stretching and looping only say how much of it is played, and how; so nothing is
-// lost by them, and each can be taken back.
+// What was played is kept whole. Trimming, stretching and looping only say how much of it is played, and how;
+// so nothing is lost by them, and each can be taken back.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,8 @@ inline constexpr std::string_view kNoTakeName = "none";
 struct TakeCurve {
   show::MotionTarget target = show::MotionTarget::kHeadYaw;
   std::string channel{};  // The name of an expression, where the target is a channel.
-  // Seconds of the recording, which rise; degrees, centimetres or weights (CurveName::unit), so that a file holds every bit.
+  // Seconds of the recording, which rise; degrees, centimetres or weights (CurveName::unit), so that a file
+  // holds every bit.
   std::vector<show::MotionKey> keys{};
   int line = 0;  // Of the file from which it was read; 0: of none.
 };

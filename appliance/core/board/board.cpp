@@ -30,7 +30,8 @@ bool LockSection(int fd, const SectionPlace& place) {
 
 namespace internal {
 
-// A section that this process writes, wherever the board lies. It stays at its address, so that the board finds it.
+// A section that this process writes, wherever the board lies. It stays at its address, so that the board
+// finds it.
 class OwnSection {
  public:
   OwnSection(Section section, OwnSections& all)

@@ -64,7 +64,8 @@ ValueArray<T> ToWords(const T& value, Time at, SourceState source) {
   return words;
 }
 
-// The inverse of ToWords. It accepts any words: what it gives may hold impossible values, which Board::Read checks.
+// The inverse of ToWords. It accepts any words: what it gives may hold impossible values, which Board::Read
+// checks.
 template <class T>
 Stamped<T> FromWords(const ValueArray<T>& words) {
   Stamped<T> stamped;
@@ -131,8 +132,9 @@ class Board {
   //                                        (of permission_denied: one who may make files there makes it)
   //   device_or_resource_busy   the board has moved, but another process writes a section of ours
   Result<bool> Heal();
-  // Two seconds are promised for all programs to be on one good board again. A loss is noticed within one period
-  // by whoever looks first, and by the others within one more; the rest is for programs that are busy or starting.
+  // Two seconds are promised for all programs to be on one good board again. A loss is noticed within one
+  // period by whoever looks first, and by the others within one more; the rest is for programs that are busy
+  // or starting.
   static constexpr Duration kHealPeriod = std::chrono::milliseconds(250);
 
   // False: the file was cut short beneath us, and everything reads as absent until Heal.
@@ -176,11 +178,13 @@ class Board {
   static Result<Board> Over(const std::string& path, UniqueFd file);
   // The untyped half of AcquireWriter.
   Result<SectionWriter> AcquireSection(Section section) const;
-  // The untyped half of Read: `value` has the words of the section; false where that generation cannot be had.
+  // The untyped half of Read: `value` has the words of the section; false where that generation cannot be
+  // had.
   bool Fetch(Section section, std::uint32_t age, std::span<std::uint32_t> value) const;
 
   std::string path_;
-  // The file that is mapped now. Its inode is compared with the one at the path, to see whether it was replaced.
+  // The file that is mapped now. Its inode is compared with the one at the path, to see whether it was
+  // replaced.
   UniqueFd file_;
   Mapping mapping_;  // Read only: a reader cannot spoil the board.
   std::uint32_t moves_ = 0;

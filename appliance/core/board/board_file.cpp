@@ -64,8 +64,9 @@ Result<void> Check(int fd, const std::string& path) {
   return {};
 }
 
-// Makes an empty file a whole board whose sections are all absent. Gives 0 or an errno. Its blocks are reserved
-// from the start (posix_fallocate gives zeros): a full disk is told here, and not by SIGBUS at the first write.
+// Makes an empty file a whole board whose sections are all absent. Gives 0 or an errno. Its blocks are
+// reserved from the start (posix_fallocate gives zeros): a full disk is told here, and not by SIGBUS at the
+// first write.
 int Fill(int fd) {
   const Head head = MakeHead();
   // Whatever the umask: the group's other programs write to it.

@@ -5,7 +5,8 @@
 
 namespace kaori::board {
 
-// Goes on from what its section holds, so that the calls before a restart stay. One thread, that of its board.
+// Goes on from what its section holds, so that the calls before a restart stay. One thread, that of its
+// board.
 class Caller {
  public:
   // Errors: as Board::AcquireWriter; a second writer of the same section is refused.

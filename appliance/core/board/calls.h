@@ -1,5 +1,5 @@
-// What people call while a show plays: GO, a jump to a cue. Each call has a time and arguments, which counters have not,
-// so that the stage handles the calls of all writers in the order in which they were made.
+// What people call while a show plays: GO, a jump to a cue. Each call has a time and arguments, which
+// counters have not, so that the stage handles the calls of all writers in the order in which they were made.
 #pragma once
 
 #include <array>
@@ -48,8 +48,8 @@ struct Call {
   CallSource source{};
 };
 
-// The newest calls of one writer. A reader that remembers `count` of its last look reads the calls from there on; where
-// more than kKept lie between, the older ones are lost, and it knows how many.
+// The newest calls of one writer. A reader that remembers `count` of its last look reads the calls from there
+// on; where more than kKept lie between, the older ones are lost, and it knows how many.
 //   writer   see CallWriter; at each call
 //   readers  kaori-stage at each frame, and once more when it has been away: a call that was made meanwhile is handled then
 //   stale    never written so
@@ -67,8 +67,8 @@ inline void Append(Calls& calls, const Call& call) {
   ++calls.count;
 }
 
-// A cue's number as a call carries it: a sum over its parts without leading zeros, so that whoever calls a cue need not know
-// the list. Two numbers of one list with the same key are refused when the show is packed.
+// A cue's number as a call carries it: a sum over its parts without leading zeros, so that whoever calls a
+// cue need not know the list. Two numbers of one list with the same key are refused when the show is packed.
 constexpr std::uint32_t CueKey(std::string_view number) {
   std::uint64_t sum = kFnvBasis;
   bool leads = true;  // At the beginning of a part.

@@ -42,7 +42,8 @@ inline constexpr std::size_t kSectionCount = 19;
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
-// Raised when the head or the slots change in a way that the layout hash cannot tell, as when the head got its sum.
+// Raised when the head or the slots change in a way that the layout hash cannot tell, as when the head got
+// its sum.
 inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::size_t kHeadWords = 16;
 inline constexpr std::size_t kHeadSumAt = 5;
@@ -56,7 +57,8 @@ constexpr std::uint32_t HeadSum(std::span<const std::uint32_t, kHeadSumAt> words
   return static_cast<std::uint32_t>(sum);
 }
 
-// Where one section lies. Lengths are in 32-bit words; section heads and slots are padded to cache lines by slots.h.
+// Where one section lies. Lengths are in 32-bit words; section heads and slots are padded to cache lines by
+// slots.h.
 struct SectionPlace {
   std::string_view name;
   std::size_t value_words = 0;  // Stamp and value.
@@ -129,8 +131,8 @@ constexpr std::uint64_t LayoutHash() {
   return hash;
 }
 
-// Which section holds a T; the sticks are told apart by `which`, and so are the writers of calls (CallWriter). A type that no section holds does not
-// compile, since the function then returns nothing.
+// Which section holds a T; the sticks are told apart by `which`, and so are the writers of calls
+// (CallWriter). A type that no section holds does not compile, since the function then returns nothing.
 template <class T>
 constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Surface>) return Section::kSurface;

@@ -8,7 +8,8 @@
 namespace kaori::board {
 namespace {
 
-// In the order of show::Control and board::Line; what a kind of one item alone is called inside its device is nothing.
+// In the order of show::Control and board::Line; what a kind of one item alone is called inside its device is
+// nothing.
 constexpr std::array<std::string_view, 6> kAxisNames{"x", "y", "twist", "hat x", "hat y", "slider"};
 constexpr std::array<std::string_view, 4> kSwitchNames{"GO", "blackout", "service key", "presence"};
 constexpr std::array<std::string_view, kCheckedStateCount> kStateNames{
@@ -146,8 +147,9 @@ std::string PhraseOf(const CheckedItem& item) {
   return part.empty() ? StandsAs(item) : part + " " + StandsAs(item);
 }
 
-// A device that is not there is named once, and not each of its controls; screens are devices of their own. A range is worth
-// its own phrase; of dials and buttons that nobody has moved, or that only were pushed, the number says all.
+// A device that is not there is named once, and not each of its controls; screens are devices of their own. A
+// range is worth its own phrase; of dials and buttons that nobody has moved, or that only were pushed, the
+// number says all.
 std::string PhrasesOf(const LineCheck& check, std::string_view device, bool failing) {
   const auto items = ItemsOf(check);
   const bool all = device.empty();

@@ -1,5 +1,5 @@
-// The line check: before the house opens every control of every device that the show uses is moved once, and the box says which of
-// them work.
+// The line check: before the house opens every control of every device that the show uses is moved once, and
+// the box says which of them work.
 #pragma once
 
 #include <array>
@@ -41,11 +41,11 @@ struct CheckedItem {
   std::uint32_t device = 0;
   std::uint32_t number = 0;
   CheckedState state = CheckedState::kUnseen;
-  // As far as it has been: an axis -1..1 or 0..1, a dial in turns from where it stood, lips 0 shut .. 1 open, a voice in dB
-  // of full scale. Others: 0.
+  // As far as it has been: an axis -1..1 or 0..1, a dial in turns from where it stood, lips 0 shut .. 1 open,
+  // a voice in dB of full scale. Others: 0.
   float low = 0, high = 0;
-  // 1: its lower end (left, back, down, counter-clockwise) was reached first. Whoever moved it to the other end first has a
-  // control that is reversed.
+  // 1: its lower end (left, back, down, counter-clockwise) was reached first. Whoever moved it to the other
+  // end first has a control that is reversed.
   std::uint32_t low_first = 0;
 };
 
@@ -81,8 +81,9 @@ std::string_view DeviceOf(const CheckedItem& item);
 // One item within its device, with how it stands: "twist short way, -0.40 to 1.00", "button 7 stuck".
 std::string PhraseOf(const CheckedItem& item);
 
-// The items of one device, or of all where it is empty, those that fail first; dials and buttons that stand alike are named
-// together: "buttons 3-7, 9 not yet seen". All: with their devices' names. `failing`: those that were seen are left out.
+// The items of one device, or of all where it is empty, those that fail first; dials and buttons that stand
+// alike are named together: "buttons 3-7, 9 not yet seen". All: with their devices' names. `failing`: those
+// that were seen are left out.
 std::string PhrasesOf(const LineCheck& check, std::string_view device, bool failing);
 
 // In one line what failed: "41 of 43 work; left stick twist short way, -0.40 to 1.00; button 7 not yet seen".

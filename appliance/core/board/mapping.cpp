@@ -70,7 +70,8 @@ void Leave(void* begin) {
 
 }  // namespace
 
-// The handler is there before the first page is touched, and the table has the mapping before anybody gets it.
+// The handler is there before the first page is touched, and the table has the mapping before anybody gets
+// it.
 Result<Mapping> Mapping::Map(int fd, bool writable, const std::string& path) {
   static const bool catches = CatchVanishedPages();
   if (!catches) return FailErrno("catch SIGBUS for board " + path);

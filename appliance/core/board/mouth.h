@@ -11,8 +11,9 @@ namespace kaori::board {
 // The quality (0..1, Lips::quality) from which on the face follows a measured mouth, this value included.
 // Below it the voice has the mouth.
 inline constexpr float kUsableMouth = 0.3F;
-// The quality from which on a measured mouth is good enough to learn from it: a calibration, the mouth at rest.
-// It is stricter, since what is learnt wrongly stays and what is followed wrongly is over at the next picture.
+// The quality from which on a measured mouth is good enough to learn from it: a calibration, the mouth at
+// rest. It is stricter, since what is learnt wrongly stays and what is followed wrongly is over at the next
+// picture.
 inline constexpr float kLearnableMouth = 0.5F;
 
 // Neither looks at the section's SourceState, which callers do.

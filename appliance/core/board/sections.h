@@ -45,7 +45,8 @@ struct PressLog {
 //   writer   kaori-input, at each report of the device, up to 1000 times a second, and when it comes or goes
 //   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
 //   stale    the box is unplugged: all buttons are released, dials keep their counts
-// The counts go on over plugs and restarts, wherever the dials themselves stand: only differences mean something.
+// The counts go on over plugs and restarts, wherever the dials themselves stand: only differences mean
+// something.
 struct Surface {
   static constexpr const char* kName = "surface";
   std::array<std::int32_t, 8> counts{};  // Dials, accumulated; clockwise is positive.
@@ -68,11 +69,12 @@ struct Stick {
   float twist = 0;        // -1 counter-clockwise .. 1 clockwise, seen from above.
   float slider = 0;       // 0 .. 1.
   std::int32_t hat = -1;  // 0 up, clockwise in eighths to 7; -1 centred.
-  // Bit n: button n is held, counted from 0; of a stick with more than 16 only the first 16 are counted as pushes.
+  // Bit n: button n is held, counted from 0; of a stick with more than 16 only the first 16 are counted as
+  // pushes.
   std::uint32_t buttons_down = 0;
   std::array<std::uint32_t, 16> pushes{};
-  // A hash of the name of the port where it is plugged in (programs/input/stick_roles.h), so that a restart of
-  // kaori-input gives the stick the same role. 0: it was nowhere yet.
+  // A hash of the name of the port where it is plugged in (programs/input/stick_roles.h), so that a restart
+  // of kaori-input gives the stick the same role. 0: it was nowhere yet.
   std::uint32_t port = 0;
   // Where X, Y and twist rest on this stick, as it was calibrated; of the device's own way from the middle to
   // the end. A restart goes on with it.

@@ -1,5 +1,5 @@
-// How the show stands: the cue list, who has which level, and from where each role is played. Whoever tells people of it, a
-// page, a lamp or a monitor, reads it here and nowhere else.
+// How the show stands: the cue list, who has which level, and from where each role is played. Whoever tells
+// people of it, a page, a lamp or a monitor, reads it here and nowhere else.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ enum CueState : std::uint32_t {
   kCuesWaiting = 1U << 3U,  // The pending cue waits for a person.
 };
 
-// Who has a level, as pages tell it. What the lips or the voice do to a mouth is not a level, and they are told of here all
-// the same.
+// Who has a level, as pages tell it. What the lips or the voice do to a mouth is not a level, and they are
+// told of here all the same.
 enum class LevelOwner : std::uint32_t { kNobody, kCue, kRemote, kRole, kLips, kVoice };
 inline constexpr std::uint32_t kLevelOwnerCount = 6;
 

@@ -3,8 +3,9 @@
 namespace kaori::board {
 namespace {
 
-// A slot is overwritten every fourth write; to lose this often a writer must be quicker than a copy, for long. A
-// copy of the largest section (8 KB) takes microseconds, and no writer publishes more than 1000 times a second.
+// A slot is overwritten every fourth write; to lose this often a writer must be quicker than a copy, for
+// long. A copy of the largest section (8 KB) takes microseconds, and no writer publishes more than 1000 times
+// a second.
 constexpr int kTries = 64;
 // Words of a section's head.
 constexpr std::size_t kNewest = 0;

@@ -5,8 +5,8 @@
 // touches the newest value, and dying in the middle of a write spoils nothing that readers look at. A reader
 // takes the very generation that it looked for and no later one, so that what it sees never goes back.
 //
-// Words are stored with release and loaded with acquire order instead of fences: whoever saw one new word sees
-// that the slot was emptied before it. On x86 both are plain moves, and ThreadSanitizer can follow them.
+// Words are stored with release and loaded with acquire order instead of fences: whoever saw one new word
+// sees that the slot was emptied before it. On x86 both are plain moves, and ThreadSanitizer can follow them.
 #pragma once
 
 #include <atomic>
@@ -47,7 +47,8 @@ bool Fetch(const Word* section, std::uint32_t age, std::span<std::uint32_t> valu
 
 // The process id that the section's writer left; 0: none ever wrote.
 std::uint32_t WriterPid(const Word* section);
-// Leaves the caller's process id, for the message that a second writer gets. Called once, with the section locked.
+// Leaves the caller's process id, for the message that a second writer gets. Called once, with the section
+// locked.
 void SetWriterPid(Word* section, std::uint32_t pid);
 
 }  // namespace kaori::board

@@ -7,7 +7,8 @@
 
 namespace kaori::board {
 
-// A plain copy of about 7 KB, trivially copyable; a field that nobody writes has its default value and kAbsent.
+// A plain copy of about 7 KB, trivially copyable; a field that nobody writes has its default value and
+// kAbsent.
 struct Snapshot {
   Stamped<Surface> surface;
   std::array<Stamped<Stick>, 2> sticks;  // [0] left (head), [1] right (gaze and brows).
@@ -28,7 +29,8 @@ struct Snapshot {
 // waits. `performance` is not among them: its owner reads it once, at its start.
 Snapshot ReadAll(const Board& board);
 
-// Snapshots that do not blink while the board is replaced beneath their reader. One thread; the board must outlive it.
+// Snapshots that do not blink while the board is replaced beneath their reader. One thread; the board must
+// outlive it.
 class SnapshotReader {
  public:
   // Borrows the board. Until the first Read nothing has been read.

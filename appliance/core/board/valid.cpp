@@ -28,7 +28,8 @@ bool Within(float value, float low, float high) {
   return value >= low && value <= high;
 }
 
-// Readers use the code of a press as an index, so each one of the log lies below `end`, those that are not used included.
+// Readers use the code of a press as an index, so each one of the log lies below `end`, those that are not
+// used included.
 bool HasCodes(const PressLog& log, std::uint32_t end) {
   return std::ranges::all_of(log.newest, [end](const PressLog::Press& press) { return press.code < end; });
 }

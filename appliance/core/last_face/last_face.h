@@ -21,8 +21,8 @@ namespace kaori::last_face {
 
 // The seal stands at the end, so that a file whose writing was cut short has none.
 inline constexpr std::size_t kEnd_bytes = 32;
-// A picture is 960 pixels wide at most, which makes 1.5 MB at 16 to 9; what is larger was not written by us and
-// is not read.
+// A picture is 960 pixels wide at most, which makes 1.5 MB at 16 to 9; what is larger was not written by us
+// and is not read.
 inline constexpr std::size_t kLargest_bytes = std::size_t{1} << 21U;
 inline constexpr std::array<std::uint8_t, 8> kMark{'K', 'A', 'O', 'R', 'I', ' ', 'L', 'F'};
 // A show is known by so many bytes at its pack's beginning: its length and its checksum are among them.
@@ -53,19 +53,21 @@ constexpr End EndOf(const Content& face) {
 }
 
 // None where the file is torn, too large, or something else. The spans of the result point into `file`. The
-// picture's own form and the state's layout are for the readers to check, and whether the show is the one that
-// plays.
+// picture's own form and the state's layout are for the readers to check, and whether the show is the one
+// that plays.
 constexpr std::optional<Content> Read(std::span<const std::uint8_t> file) {
   if (file.size() < kEnd_bytes || file.size() > kLargest_bytes) return std::nullopt;
   const auto body = file.first(file.size() - kEnd_bytes);
   const auto end = file.last(kEnd_bytes);
   const std::size_t picture = wire::GetU32(end, 16), state = wire::GetU32(end, 20);
-  // The lengths are compared without a sum of both: two lengths of 32 bits each could exceed a size_t of 32 bits.
+  // The lengths are compared without a sum of both: two lengths of 32 bits each could exceed a size_t of 32
+  // bits.
   if (picture > body.size() || state != body.size() - picture) return std::nullopt;
   const Content face{.show = wire::GetU32(end, 8) | std::uint64_t{wire::GetU32(end, 12)} << 32U,
                      .picture = body.first(picture),
                      .state = body.last(state)};
-  // One comparison checks the mark, the show, the lengths and the sum: the seal is made anew and must be the same.
+  // One comparison checks the mark, the show, the lengths and the sum: the seal is made anew and must be the
+  // same.
   const End wanted = EndOf(face);
   if (!std::equal(wanted.begin(), wanted.end(), end.begin())) return std::nullopt;
   return face;

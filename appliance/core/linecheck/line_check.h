@@ -1,6 +1,8 @@
-// The line check: what every control, camera, microphone, loudspeaker, lamp and screen of the show has done since it began.
+// The line check: what every control, camera, microphone, loudspeaker, lamp and screen of the show has done
+// since it began.
 //
-// It only looks: the stage takes what people do out of the show meanwhile, so that nothing which is moved moves the face.
+// It only looks: the stage takes what people do out of the show meanwhile, so that nothing which is moved
+// moves the face.
 #pragma once
 
 #include <array>
@@ -38,8 +40,9 @@ class LineCheck {
   // When something was seen, or failed, last: a check that nobody works at any more is to end.
   Time changed_at() const { return changed_at_; }
 
-  // All lamps light in turn, a fifth of a second each, from the beginning on; then those of the buttons that are not seen yet
-  // stay lit, and go out as they are pushed; then they light in turn again. Bit n is button n.
+  // All lamps light in turn, a fifth of a second each, from the beginning on; then those of the buttons that
+  // are not seen yet stay lit, and go out as they are pushed; then they light in turn again. Bit n is button
+  // n.
   std::uint32_t lamps(Time now) const;
 
  private:

@@ -1,4 +1,5 @@
-// What one control has done since the line check began: how far it went, whether it jitters, whether it stays down.
+// What one control has done since the line check began: how far it went, whether it jitters, whether it stays
+// down.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@ namespace kaori::linecheck {
 // A movement, as numbers. Pure but for what it remembers; time is an argument and does not go back.
 class Way {
  public:
-  // Both ends of its way, and how little of it is no movement. Of a dial, which has no ends: a quarter turn each way.
+  // Both ends of its way, and how little of it is no movement. Of a dial, which has no ends: a quarter turn
+  // each way.
   struct Ends {
     float low = 0, high = 0;
     float step = 0.01F;
@@ -27,7 +29,8 @@ class Way {
   bool reached_both() const { return reached_low_ && reached_high_; }
   // More than a jitter away from where it stood.
   bool moved() const { return high_ - low_ > kSmall; }
-  // Six turns about within a second and within a tenth of its way: no person moves so finely and so fast. Stays true.
+  // Six turns about within a second and within a tenth of its way: no person moves so finely and so fast.
+  // Stays true.
   bool noisy() const { return noisy_; }
   // For how long it has stood where it is.
   Duration rests(Time now) const { return now - moved_at_; }

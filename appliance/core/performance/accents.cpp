@@ -30,7 +30,8 @@ float Bump(float since_s, float up_s, float whole_s) {
   return since_s < up_s ? SmoothStep(since_s / up_s) : 1 - SmoothStep((since_s - up_s) / (whole_s - up_s));
 }
 
-// The level counts for all steps that the frame has ended, so that a tenth of a second is one at any rate of frames.
+// The level counts for all steps that the frame has ended, so that a tenth of a second is one at any rate of
+// frames.
 void Remember(AccentLife& life, float level_db, float dt_s) {
   life.step_s += dt_s;
   for (std::size_t n = 0; life.step_s >= kStep_s && n < life.levels_db.size(); ++n) {

@@ -39,7 +39,8 @@ std::array<glm::vec3, 2> EyesAtRest(const State& state, const show::Show& show) 
   return {balls[0].centre, balls[1].centre};
 }
 
-// The head turns about the neck and is shifted afterwards, as scene.h has it: the turn does not turn the shift.
+// The head turns about the neck and is shifted afterwards, as scene.h has it: the turn does not turn the
+// shift.
 HeadPose::HeadPose(const scene::Head& head, const std::array<glm::vec3, 2>& eyes_m, glm::vec3 pivot_m)
     : turn_(scene::TurnOf(head)), eyes_m_{} {
   for (std::size_t eye = 0; eye < 2; ++eye)

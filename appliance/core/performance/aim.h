@@ -13,13 +13,14 @@
 
 namespace kaori::performance {
 
-// Yaw and pitch, radians, of a direction: positive to her left and up, as scene::Gaze. A direction of no length is ahead.
+// Yaw and pitch, radians, of a direction: positive to her left and up, as scene::Gaze. A direction of no
+// length is ahead.
 glm::vec2 AnglesOf(glm::vec3 direction);
 // The unit direction of such angles.
 glm::vec3 DirectionOf(glm::vec2 angles_rad);
 
-// The centres of the eyes of the face that is shown, with the head at rest: those of the called faces by their weights, or,
-// where they show no balls, 63 mm apart.
+// The centres of the eyes of the face that is shown, with the head at rest: those of the called faces by
+// their weights, or, where they show no balls, 63 mm apart.
 std::array<glm::vec3, 2> EyesAtRest(const State& state, const show::Show& show);
 
 // The head as it is turned in one frame. Points are of the stage (show::GazeTarget). Pure.

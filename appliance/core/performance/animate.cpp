@@ -75,8 +75,8 @@ float StepTo(State& state, Time presented_at) {
   return static_cast<float>(Seconds(presented_at - before));
 }
 
-// The time since the last GO is that of people: a stage that was away, or a machine that hung, does not make the guard longer
-// than it is, or a GO that was called meanwhile would be refused as a slip.
+// The time since the last GO is that of people: a stage that was away, or a machine that hung, does not make
+// the guard longer than it is, or a GO that was called meanwhile would be refused as a slip.
 void CountQuiet(State& state, Time presented_at) {
   const auto passed_s = static_cast<float>(std::max(0.0, Seconds(presented_at - state.last)));
   for (float* quiet_s : {&state.go_quiet_s, &state.cue_run.since_refused_s, &state.since_locked_out_s})
@@ -156,8 +156,8 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time present
   return state;
 }
 
-// The order counts: life needs what motions do in this frame, and Weigh needs the blinks that life begins. Hair
-// swings last, behind the head as all of these have turned it.
+// The order counts: life needs what motions do in this frame, and Weigh needs the blinks that life begins.
+// Hair swings last, behind the head as all of these have turned it.
 Performed Animate(const State& previous, const board::Snapshot& board, const InputEvents& events,
                   const show::Show& show, Time presented_at) {
   Performed performed{previous, {}, 0};

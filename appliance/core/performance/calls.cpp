@@ -42,8 +42,8 @@ void CallMotion(State& state, const show::Show& show, std::int32_t motion) {
     PlayMotion(state, motion);
 }
 
-// Faces and expressions fade as they say themselves; those that say nothing, and styles, as long as the Fade dial says; scenes
-// as long as they say themselves. `control` is what was pushed, as Kept has it.
+// Faces and expressions fade as they say themselves; those that say nothing, and styles, as long as the Fade
+// dial says; scenes as long as they say themselves. `control` is what was pushed, as Kept has it.
 void Obey(State& state, const show::Call& call, std::uint16_t control, const show::Show& show) {
   const float fade_s = At(state.knobs, Knob::kFade);
   if (call.mode == show::CallMode::kToggle) return Toggle(state, show, call, fade_s);

@@ -7,20 +7,21 @@
 
 namespace kaori::performance {
 
-// Does what was called since the last frame, in the order of time, by buttons, keys, and calls on the board: buttons call
-// faces, expressions, styles, scenes and registered motions; keys too, and they blink and wink. A motion that loops ends when it is called once more. What a button or key
-// calls exists in the show: CheckShow has refused others. A call on the board that names what the show has not is refused
-// and counted.
+// Does what was called since the last frame, in the order of time, by buttons, keys, and calls on the board:
+// buttons call faces, expressions, styles, scenes and registered motions; keys too, and they blink and wink.
+// A motion that loops ends when it is called once more. What a button or key calls exists in the show:
+// CheckShow has refused others. A call on the board that names what the show has not is refused and counted.
 void PlayCalls(State& state, const InputEvents& events, const show::Show& show);
 
-// A fresh call takes over whole, whatever its dial said about the one before: the dial is full. `face` and `expression`
-// are below the counts of the show's. A fade of 0 changes at once. Toggles of the same kind end with it.
+// A fresh call takes over whole, whatever its dial said about the one before: the dial is full. `face` and
+// `expression` are below the counts of the show's. A fade of 0 changes at once. Toggles of the same kind end
+// with it.
 void CallFace(State& state, std::uint16_t face, float fade_s, show::FadeCurve curve = show::FadeCurve::kS);
 void CallExpression(State& state, std::uint16_t expression, float fade_s,
                     show::FadeCurve curve = show::FadeCurve::kS);
 
-// Begins a registered motion of the show. No playing voice is cut off for it: that would be a jump. Eight within a quarter
-// of a second are no playing, the ninth is not heard.
+// Begins a registered motion of the show. No playing voice is cut off for it: that would be a jump. Eight
+// within a quarter of a second are no playing, the ninth is not heard.
 void PlayMotion(State& state, std::int32_t motion);
 
 // Sets face, expression, style, exposure and backdrop of a scene on their way, each from what it is at this

@@ -8,8 +8,8 @@
 namespace kaori::performance {
 namespace {
 
-// So near, as a part of the map's range, a control has met its level; within kSameMovement_s after it took it, it keeps it
-// even where it moved on faster than that.
+// So near, as a part of the map's range, a control has met its level; within kSameMovement_s after it took
+// it, it keeps it even where it moved on faster than that.
 constexpr float kMeets = 3.0F / 128;
 constexpr float kSameMovement_s = 0.05F;
 constexpr float kAtTheEnd = 1e-6F;  // Of a way that is left: nothing to divide by.
@@ -22,7 +22,8 @@ float Controls::WayOf(const Run& run, const show::RoleMap& map) const {
   return WayOn(board_.sticks[state_.role_devices[run.role]].value, map.control);
 }
 
-// A whole turn is the whole range, whatever the encoder counts. A box that says 0 counts a turn does not divide by it.
+// A whole turn is the whole range, whatever the encoder counts. A box that says 0 counts a turn does not
+// divide by it.
 float Controls::TurnedBy(const Run& run, const show::RoleMap& map) const {
   if (!show::Turns(map.control) || !IsOn(run.role, map.control)) return 0;
   const auto per_turn = static_cast<float>(std::max(1, board_.surface.value.counts_per_turn));
@@ -53,8 +54,8 @@ bool MeetsFirst(const show::RoleMap& map) {
   return show::StaysPut(map.control) && map.takeover != show::Takeover::kJump;
 }
 
-// True where the control has met the level `here` on its way from `from` to `to`: it came near, or passed it between two
-// frames, or it took it a moment ago and still moves.
+// True where the control has met the level `here` on its way from `from` to `to`: it came near, or passed it
+// between two frames, or it took it a moment ago and still moves.
 bool PickUp(const show::RoleMap& map, MapNow& now, float here, float from, float to) {
   const float meets = kMeets * std::abs(map.to - map.from);
   const bool met = std::abs(here - from) <= meets || std::abs(here - to) <= meets;
@@ -65,8 +66,8 @@ bool PickUp(const show::RoleMap& map, MapNow& now, float here, float from, float
   return true;
 }
 
-// The rest of the control's way is stretched over the rest of the level's, so that both reach the end together and the level
-// never moves against the control.
+// The rest of the control's way is stretched over the rest of the level's, so that both reach the end
+// together and the level never moves against the control.
 float Scaled(const show::RoleMap& map, float here, float from, float to) {
   const float low = std::min(map.from, map.to), high = std::max(map.from, map.to);
   const float end = to > from ? high : low;

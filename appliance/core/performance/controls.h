@@ -1,4 +1,5 @@
-// The controls of roles: where they stand, what they contribute, and how one that stays where it is put takes a level over.
+// The controls of roles: where they stand, what they contribute, and how one that stays where it is put takes
+// a level over.
 #pragma once
 
 #include <span>
@@ -18,7 +19,8 @@ struct Run {
   std::span<MapNow> now;  // As many.
 };
 
-// Calls `visit(run)` for each, in the order of the roles. Roles keep the maps of one level together (CheckRoles).
+// Calls `visit(run)` for each, in the order of the roles. Roles keep the maps of one level together
+// (CheckRoles).
 template <class Visit>
 void ForEachRun(State& state, const show::Roles& roles, Visit visit) {
   std::size_t first = 0;
@@ -60,12 +62,14 @@ float SumOf(const Run& run);
 // Whether the control waits for the level, or goes on from it, where something else has moved that.
 bool MeetsFirst(const show::RoleMap& map);
 
-// Soft take-over as Mixxx has it (engine/controls/softtakeover.cpp): the control is taken where it is within 3/128 of its range
-// from the level, where it has passed it, and within 50 ms of a movement that was taken. `here` is the level as this
-// control would have to say it, `from` and `to` what it said before and says now. True: now.value is `to`.
+// Soft take-over as Mixxx has it (engine/controls/softtakeover.cpp): the control is taken where it is within
+// 3/128 of its range from the level, where it has passed it, and within 50 ms of a movement that was taken.
+// `here` is the level as this control would have to say it, `from` and `to` what it said before and says now.
+// True: now.value is `to`.
 bool PickUp(const show::RoleMap& map, MapNow& now, float here, float from, float to);
 
-// Where the level goes from `here` when its control goes from `from` to `to`: both reach the end of the range together.
+// Where the level goes from `here` when its control goes from `from` to `to`: both reach the end of the range
+// together.
 float Scaled(const show::RoleMap& map, float here, float from, float to);
 
 }  // namespace kaori::performance

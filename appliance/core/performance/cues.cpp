@@ -136,7 +136,8 @@ void Stop(State& state) {
   EndMotions(state);
 }
 
-// What stands by afterwards is the cue behind the chain that begins now: cues of a chain are never called by themselves.
+// What stands by afterwards is the cue behind the chain that begins now: cues of a chain are never called by
+// themselves.
 void Go(State& state, const show::Show& show) {
   CueRun& run = state.cue_run;
   const auto count = static_cast<std::int32_t>(show.cue_list.cues.size());

@@ -1,7 +1,7 @@
 // The cue list as it is played: GO, BACK, STOP, PAUSE, PANIC and BLACKOUT, and the waits between cues.
 //
-// All of it is part of the performance's state, so that a stage that was killed goes on in the middle of a wait, and plays a
-// GO that was called while it was away.
+// All of it is part of the performance's state, so that a stage that was killed goes on in the middle of a
+// wait, and plays a GO that was called while it was away.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ void CallCue(State& state, const show::Show& show, show::CueVerb verb);
 // as the show opens. What waits is stopped first. `index` is -1 or below the number of cues.
 void GoToCue(State& state, const show::Show& show, std::int32_t index);
 
-// GO plays the cue `index` next, or the one that brings it by itself. Nothing else changes. `index` is below the number of
-// cues.
+// GO plays the cue `index` next, or the one that brings it by itself. Nothing else changes. `index` is below
+// the number of cues.
 void StandByCue(State& state, const show::Show& show, std::int32_t index);
 
 // Moves the waits of the list on by dt_s and plays the cues that have become due, each by itself. `dt_s` is
@@ -34,8 +34,8 @@ void PlayCues(State& state, const board::Snapshot& board, const show::Show& show
 // Of dt_s, what passes for fades, motions and waits: nothing while the list is paused.
 float PlayTime(const State& state, float dt_s);
 
-// To be called when the fades have moved on. Where they have run, what lies behind them (what a dial that is turned back
-// shows) is as the list has it: a jump and a run through the list end in the same bits.
+// To be called when the fades have moved on. Where they have run, what lies behind them (what a dial that is
+// turned back shows) is as the list has it: a jump and a run through the list end in the same bits.
 void SettleCues(State& state, const show::Show& show);
 
 }  // namespace kaori::performance

@@ -36,7 +36,8 @@ inline float Approach(float now, float goal, float dt_s, float half_life_s) {
   return goal + (now - goal) * std::exp2(-dt_s / half_life_s);
 }
 
-// Moves `now` towards `goal` at a steady speed, in units per second. It stops at the goal and never passes it.
+// Moves `now` towards `goal` at a steady speed, in units per second. It stops at the goal and never passes
+// it.
 inline float Travel(float now, float goal, float dt_s, float speed_per_s) {
   const float step = dt_s * speed_per_s;
   return now + std::clamp(goal - now, -step, step);

@@ -60,8 +60,8 @@ void Adopt(SeenInput& seen, const board::Snapshot& board) {
     seen.pointer = board.pointer.value;
 }
 
-// Merges what lies in [middle, end) into the calls before it, without the memory that std::inplace_merge takes. Equal
-// times keep the order of the writers.
+// Merges what lies in [middle, end) into the calls before it, without the memory that std::inplace_merge
+// takes. Equal times keep the order of the writers.
 void MergeByTime(board::Call* begin, board::Call* middle, board::Call* end) {
   for (; middle != end; ++middle)
     for (board::Call* at = middle; at != begin && at->at < (at - 1)->at; --at) std::swap(*at, *(at - 1));
@@ -78,7 +78,8 @@ InputEvents::Pointer PointerEvents(const board::Pointer& before, const board::Po
 }  // namespace
 
 // Buttons and keys are merged by the time of each. Two keys typed within one frame thus keep their order, and
-// so do a key and a button of different devices. On equal times the button comes first, which is of no account.
+// so do a key and a button of different devices. On equal times the button comes first, which is of no
+// account.
 void InputEvents::AddPresses(SeenInput& seen, const board::Snapshot& board) {
   const PressLog& button_log = board.surface.value.log;
   const PressLog& key_log = board.keys.value.log;
@@ -95,8 +96,8 @@ void InputEvents::AddPresses(SeenInput& seen, const board::Snapshot& board) {
   if (IsThere(board.keys)) seen.key_presses = key_log.count;
 }
 
-// The log of each writer is in order, but two writers may have called in turns: they are merged by the times of
-// the calls. Of more calls than a log keeps the oldest are lost, and counted.
+// The log of each writer is in order, but two writers may have called in turns: they are merged by the times
+// of the calls. Of more calls than a log keeps the oldest are lost, and counted.
 void InputEvents::AddCalls(SeenInput& seen, const board::Snapshot& board) {
   for (std::size_t i = 0; i < board.calls.size(); ++i) {
     if (!IsThere(board.calls[i])) continue;

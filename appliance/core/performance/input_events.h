@@ -1,7 +1,8 @@
 // What the operators did between two looks at the board, in the order in which they did it.
 //
 // Events are made once a frame and handed from consumer to consumer: a calibration at the box, the expression
-// editor, the performance. Whoever uses an event takes it out, so that nothing that an operator does is used twice.
+// editor, the performance. Whoever uses an event takes it out, so that nothing that an operator does is used
+// twice.
 #pragma once
 
 #include <array>
@@ -55,7 +56,8 @@ class InputEvents {
   // How many calls are lost because more of one writer came within a frame than its log keeps.
   std::uint32_t lost_calls() const { return lost_calls_; }
 
-  // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of time.
+  // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of
+  // time.
   template <class Predicate>
   void Consume(Predicate consumes) {
     std::size_t kept = 0;

@@ -38,8 +38,8 @@ void Leave(Kept& kept, const show::Show& show, float fade_s) {
   Turn(kept, false, TimeOf(kept.call, show::FadeOf(show, kept.call).out_s, fade_s));
 }
 
-// The place of a call that is kept already, else a free one; null: all are taken. Two controls that are held keep the same
-// item twice, so that it stays until both are up.
+// The place of a call that is kept already, else a free one; null: all are taken. Two controls that are held
+// keep the same item twice, so that it stays until both are up.
 Kept* PlaceFor(State& state, const show::Call& call, std::uint16_t control) {
   const auto same =
       std::ranges::find_if(state.kept, [&](const Kept& k) { return k.call == call && k.control == control; });
@@ -95,7 +95,8 @@ void Toggle(State& state, const show::Show& show, const show::Call& call, float 
     Come(*kept, show, fade_s);
 }
 
-// A sheet that is held down is kept like a face, so that letting go brings back whichever lay below (SheetOf).
+// A sheet that is held down is kept like a face, so that letting go brings back whichever lay below
+// (SheetOf).
 void KeepDown(State& state, const show::Show& show, const show::Call& call, std::uint16_t control,
               float fade_s) {
   if (Kept* kept = PlaceFor(state, call, control); kept != nullptr) Come(*kept, show, fade_s);
@@ -124,8 +125,8 @@ void AdvanceKept(State& state, float play_s) {
   }
 }
 
-// What is kept sums to 1 at most, and the called items share what is left of it. Levels of roles (Level::kMix1
-// and on) count as toggles do.
+// What is kept sums to 1 at most, and the called items share what is left of it. Levels of roles
+// (Level::kMix1 and on) count as toggles do.
 face::Terms WithKept(const State& state, const show::Show& show, CallKind kind, const face::Terms& called) {
   face::Terms kept;
   for (const Kept& one : state.kept)

@@ -18,9 +18,9 @@ enum class Lamp : std::uint8_t {
 // Of a call as it stands now. A call that is there is the newest of its kind, or one that is kept.
 Lamp LampOf(const State& state, const show::Call& call);
 
-// Which lamps of the sheet that is there are lit in this frame: bit n is button n. A GO that was refused makes its lamp blink
-// twice. Lamps are on or off; all of them breathe and blink by this one function, so that a lamp that is told now shows what the
-// others show.
+// Which lamps of the sheet that is there are lit in this frame: bit n is button n. A GO that was refused
+// makes its lamp blink twice. Lamps are on or off; all of them breathe and blink by this one function, so
+// that a lamp that is told now shows what the others show.
 std::uint32_t LitLamps(const State& state, const show::Show& show);
 
 }  // namespace kaori::performance

@@ -9,8 +9,8 @@
 
 namespace kaori::performance {
 
-// Who has a level: of several that claim it the last of this list. Life and registered motions add to what stands here; the
-// lips and the voice have the mouth where no dial does (mouth.h).
+// Who has a level: of several that claim it the last of this list. Life and registered motions add to what
+// stands here; the lips and the voice have the mouth where no dial does (mouth.h).
 enum class Owner : std::uint8_t {
   kRest,    // Nobody: it stays where it was put, or goes back to its rest (show::Stays).
   kCue,     // A cue or a call put it there.

@@ -20,8 +20,8 @@ constexpr float kRemoteCounts_s = 1;  // VTube Studio's time for a parameter tha
 constexpr float kRestReleases_s = 0.7F;
 // Of a control's whole way: so far it moves before it takes a level from another owner.
 constexpr float kClaims = 0.02F;
-// SmoothStep rises by 1.5 of its length at its steepest: with this much of a second for a whole range no frame of a 60th of
-// a second moves by more than 2 % of it.
+// SmoothStep rises by 1.5 of its length at its steepest: with this much of a second for a whole range no
+// frame of a 60th of a second moves by more than 2 % of it.
 constexpr float kEaseOfRange_s = 1.25F;
 
 LevelNow& NowOf(State& state, Level level) {
@@ -120,8 +120,8 @@ class LevelFrame {
     return movement;
   }
 
-  // Brings one map's contribution up to where its control stands. A control with pick-up contributes only once it has met
-  // the level, one with scaling goes on from there.
+  // Brings one map's contribution up to where its control stands. A control with pick-up contributes only
+  // once it has met the level, one with scaling goes on from there.
   Movement Contribute(const Run& run, std::size_t i, float way, bool owns, bool far) {
     const RoleMap& map = run.maps[i];
     MapNow& now = run.now[i];

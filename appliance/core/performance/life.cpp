@@ -190,7 +190,8 @@ Idle Live(State& state, const board::Snapshot& board, const show::Show& show, co
 }
 
 // A damped spring that is pulled against the head's speed: angle'' = (0.12 pull - angle) w^2 - 2 d w angle'.
-// The pull is the head's step over dt_s, so that a faster head swings the hair further whatever the frame rate.
+// The pull is the head's step over dt_s, so that a faster head swings the hair further whatever the frame
+// rate.
 void Swing(Sway& sway, const scene::Head& head, float dt_s) {
   if (dt_s <= 0) return;
   const glm::vec2 now(head.yaw_rad + head.roll_rad, head.pitch_rad);

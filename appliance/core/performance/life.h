@@ -1,4 +1,5 @@
-// What the face does by itself: blinks, glances, breath, sway and accents, as much as cues and the Life dial say.
+// What the face does by itself: blinks, glances, breath, sway and accents, as much as cues and the Life dial
+// say.
 #pragma once
 
 #include <array>
@@ -18,14 +19,14 @@ struct Idle {
   float brow = 0;                     // Raises the brows.
 };
 
-// At this place of the Life dial she lives as people do: all figures of the folder's files are of it. The dial's upper end
-// is livelier.
+// At this place of the Life dial she lives as people do: all figures of the folder's files are of it. The
+// dial's upper end is livelier.
 inline constexpr float kLifeAsPeople = 0.6F;
 
-// Moves her life on by dt_s: glances, blinks (which begin in state.blink_s), breath, accents of the voice. It gives way to
-// hands: `motion` is what registered motions do in this frame, and state.head and state.gaze are what the sticks do. With
-// the dial below 0.02 she does nothing by herself, but looks where a cue lets her look. Pure: chance is part of the state.
-// Changes state.life and state.blink_s alone. Allocates nothing.
+// Moves her life on by dt_s: glances, blinks (which begin in state.blink_s), breath, accents of the voice. It
+// gives way to hands: `motion` is what registered motions do in this frame, and state.head and state.gaze are
+// what the sticks do. With the dial below 0.02 she does nothing by herself, but looks where a cue lets her
+// look. Pure: chance is part of the state. Changes state.life and state.blink_s alone. Allocates nothing.
 Idle Live(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
           float dt_s);
 

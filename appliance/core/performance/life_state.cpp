@@ -24,7 +24,8 @@ bool LiesWithin(const glm::vec3& v, float far) {
   return Lie({glm::length(v)}, 0, far);
 }
 
-// Clocks stop at kLongSince_s. That of the head begins below 0, since the head follows the eyes a little later.
+// Clocks stop at kLongSince_s. That of the head begins below 0, since the head follows the eyes a little
+// later.
 bool IsValidGaze(const GazeLife& g, std::size_t targets) {
   return LiesWithin(g.from_m, kFarPoint_m) && LiesWithin(g.to_m, kFarPoint_m) &&
          Lie({g.since_s, g.beyond_s, g.hand_off_s, g.head_hand_off_s}, 0, kLongSince_s) &&

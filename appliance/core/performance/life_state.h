@@ -45,7 +45,8 @@ struct GazeLife {
 
 // What the voice has done to brows and head, and how long ago. Plain bytes, as all of Life.
 struct AccentLife {
-  // The voice's level over the last tenth of a second, in steps of 10 ms, the newest first; and the time within the step.
+  // The voice's level over the last tenth of a second, in steps of 10 ms, the newest first; and the time
+  // within the step.
   std::array<float, 11> levels_db{};
   float step_s = 0;
   float brow = 0;                // How far the last accent raises the brows,
@@ -64,7 +65,8 @@ struct Life {
   std::int32_t target = -1;  // Whom a scene or a cue lets her look at, of the show's targets; -1: nobody.
 };
 
-// Whether every number is one that this program writes. Points are bounded; `targets` is how many the show has.
+// Whether every number is one that this program writes. Points are bounded; `targets` is how many the show
+// has.
 bool IsValidLife(const Life& life, std::size_t targets);
 
 }  // namespace kaori::performance

@@ -10,8 +10,8 @@ namespace kaori::performance {
 // starts with the blackout switch on starts black.
 void BeginLines(State& state, const board::Stamped<board::Lines>& lines);
 
-// Blackout is on its way, 0.4 s from one end to the other. Lines that were lost hold it, until a scene is called: a box
-// whose cable broke must not stay black.
+// Blackout is on its way, 0.4 s from one end to the other. Lines that were lost hold it, until a scene is
+// called: a box whose cable broke must not stay black.
 void HandleLines(State& state, const board::Stamped<board::Lines>& lines, float dt_s);
 
 // How much of the light is left, 0..1. It multiplies the exposure, smoothed at both ends.

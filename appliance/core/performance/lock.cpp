@@ -9,7 +9,8 @@
 namespace kaori::performance {
 namespace {
 
-// What keeps an evening going, and what saves it. STOP and PAUSE are not among them: a stray key would hold the show.
+// What keeps an evening going, and what saves it. STOP and PAUSE are not among them: a stray key would hold
+// the show.
 bool KeepsTheShow(std::uint32_t verb) {
   switch (static_cast<show::CueVerb>(verb)) {
     case show::CueVerb::kGo:

@@ -19,7 +19,8 @@ constexpr float kShortestBurst_s = 0.6F, kLongestBurst_s = 3, kShortestAway_s = 
 constexpr float kGlanceStays_s = 0.5F, kSpread = 0.5F, kBurstSpread = 0.35F;
 constexpr float kNoGlance = 0.04F;                 // Amounts below this are none.
 constexpr float kSeen_rad = 0.1F * show::kDegree;  // Smaller movements are none.
-// Directions of glances in eighths of a turn from her left by up, and how many of a hundred go there (Eyes Alive).
+// Directions of glances in eighths of a turn from her left by up, and how many of a hundred go there (Eyes
+// Alive).
 constexpr std::array<float, 8> kEighths{15.54F, 6.46F, 17.69F, 7.44F, 16.80F, 7.89F, 20.38F, 7.80F};
 // A glance that cannot be seen is none; wide ones look at nobody's seat. Up and down the lids are in the way.
 constexpr float kLeastGlance_rad = 3 * show::kDegree, kWidest_rad = 14 * show::kDegree,
@@ -31,12 +32,14 @@ constexpr glm::vec2 kComesBack_rad{15 * show::kDegree, 10 * show::kDegree},
     kOffAhead_rad{10 * show::kDegree, 8 * show::kDegree};
 // How long she strains after somebody who was named; of herself she lets go at once.
 constexpr float kStrains_s = 1.2F, kLetsGo_s = 0.05F;
-// The head follows beyond 12 degrees, 40 ms later, half of the way; and so far that the eyes come to 18 degrees.
+// The head follows beyond 12 degrees, 40 ms later, half of the way; and so far that the eyes come to 18
+// degrees.
 constexpr float kHeadFrom_rad = 12 * show::kDegree, kHeadLate_s = 0.04F, kHeadShare = 0.5F;
 constexpr float kEyesKeep_rad = 18 * show::kDegree;
 constexpr float kTurns = 0.5F;  // With a smaller amount the head stays, and the eyes are alone.
 constexpr float kFarthest_m = 300;
-// A spring stick keeps its level for 0.7 s after it has come to rest (levels.h); she does not wait much longer.
+// A spring stick keeps its level for 0.7 s after it has come to rest (levels.h); she does not wait much
+// longer.
 constexpr float kHandOver_s = 0.25F, kHandHolds_s = 0.05F, kHeadTaken_s = 0.6F;
 
 // Yaw and pitch, each by its own bound.
@@ -169,8 +172,8 @@ class Looker {
     if (!Within(pose_.MiddleTo(life_.to_m), life_.away != 0 ? kReach_rad : kOffAhead_rad)) Burst(0);
   }
 
-  // When looking at somebody is over she glances about for a while, then looks back. Fixations too short to be
-  // followed by another one are lengthened to the end of their stretch.
+  // When looking at somebody is over she glances about for a while, then looks back. Fixations too short to
+  // be followed by another one are lengthened to the end of their stretch.
   void NextFixation(float ago_s) {
     const bool over = life_.left_s <= kApart_s;
     if (over && (life_.away != 0 || input_.glance < kNoGlance)) return Burst(ago_s);
@@ -252,7 +255,8 @@ void HandOver(float& off_s, float& share, bool hand, float back_per_s, float dt_
 
 }  // namespace
 
-// Eyes and head are given up and taken up each for itself: a hand may have one of them and leave her the other.
+// Eyes and head are given up and taken up each for itself: a hand may have one of them and leave her the
+// other.
 Look LookAround(GazeLife& life, std::int32_t target, const LookInput& input, float dt_s) {
   HandOver(life.head_hand_off_s, life.head_share, input.hand_on_head, 1 / kHeadTaken_s, dt_s);
   life.hand_off_s = input.hand_on_eyes ? 0 : std::min(kLongSince_s, life.hand_off_s + dt_s);

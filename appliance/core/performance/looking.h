@@ -28,9 +28,9 @@ struct Look {
   float ago_s = 0;      // Before the end of the frame.
 };
 
-// Moves her look on by dt_s. Saccades begin at their own time, whatever the rate of frames, at least 0.2 s apart, and hold
-// their point while the head moves. Eyes are given up to a hand within 0.25 s, and taken up again by a saccade when it has
-// let go. Allocates nothing.
+// Moves her look on by dt_s. Saccades begin at their own time, whatever the rate of frames, at least 0.2 s
+// apart, and hold their point while the head moves. Eyes are given up to a hand within 0.25 s, and taken up
+// again by a saccade when it has let go. Allocates nothing.
 Look LookAround(GazeLife& life, std::int32_t target, const LookInput& input, float dt_s);
 
 }  // namespace kaori::performance

@@ -9,7 +9,8 @@
 
 namespace kaori::performance {
 
-// Plain bytes, kept in State. With amount 1 the weights are from * (1 - s) + called * s, s = Curved(curve, progress).
+// Plain bytes, kept in State. With amount 1 the weights are from * (1 - s) + called * s, s = Curved(curve,
+// progress).
 struct Mixture {
   face::Terms from;      // The weights at the moment of the call.
   std::uint16_t to = 0;  // The item that was called.

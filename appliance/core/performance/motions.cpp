@@ -42,7 +42,8 @@ void Add(Motion& motion, const show::MotionCurve& curve, float value) {
   }
 }
 
-// Where a loop is at this time: it goes on at its beginning. What was cut off at the end counts there, so that it keeps its time.
+// Where a loop is at this time: it goes on at its beginning. What was cut off at the end counts there, so
+// that it keeps its time.
 float InLoop(const show::Motion& motion, float at_s) {
   if (at_s < motion.loop_to_s) return at_s;
   return motion.loop_from_s + std::fmod(at_s - motion.loop_from_s, motion.loop_to_s - motion.loop_from_s);
@@ -59,8 +60,9 @@ float EndOf(const show::Motion& motion) {
   return end_s;
 }
 
-// By time, since voices are taken wherever one is free; of two that began in one frame the first in the list counts. One that
-// fades out is older than one that does not, whatever its time: a loop begins anew while it fades out.
+// By time, since voices are taken wherever one is free; of two that began in one frame the first in the list
+// counts. One that fades out is older than one that does not, whatever its time: a loop begins anew while it
+// fades out.
 const Playing* Youngest(const State& state) {
   const auto is_younger = [](const Playing& a, const Playing& b) {
     return (a.gain < 1) != (b.gain < 1) ? b.gain < 1 : a.at_s < b.at_s;

@@ -31,7 +31,8 @@ bool IsPlaying(const State& state, std::int32_t motion);
 // All that play fade out in 0.25 s.
 void EndMotions(State& state);
 
-// When the last of a motion's curves and its sound have ended, in seconds from its beginning. A loop has no such end.
+// When the last of a motion's curves and its sound have ended, in seconds from its beginning. A loop has no
+// such end.
 float EndOf(const show::Motion& motion);
 
 }  // namespace kaori::performance

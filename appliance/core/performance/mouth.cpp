@@ -104,9 +104,10 @@ Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
 
 }  // namespace
 
-// Two shares move with the speech: mouth_drive gives the expression's mouth away and adds the two shut shapes;
-// mouth_said adds the two open ones and is faster while the mouth is small. The shapes are weighted bilinearly,
-// (1-open or open) x (1-wide or wide), in the order shut narrow, shut wide, open narrow, open wide.
+// Two shares move with the speech: mouth_drive gives the expression's mouth away and adds the two shut
+// shapes; mouth_said adds the two open ones and is faster while the mouth is small. The shapes are weighted
+// bilinearly, (1-open or open) x (1-wide or wide), in the order shut narrow, shut wide, open narrow, open
+// wide.
 void MoveMouth(State& state, const board::Snapshot& board, const show::Channels& channels,
                face::Weights& weights, float dt_s) {
   Goal goal = WhoSpeaks(state, board, dt_s);

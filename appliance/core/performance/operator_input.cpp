@@ -37,8 +37,8 @@ void FollowLevels(State& state, float dt_s) {
   follow(state.brow, show::Level::kBrow, kBrowHalfLife_s);
 }
 
-// Space holds both lids, X the character's left one and Z the right one, as they blink them (calls.cpp). Blinks
-// run on beneath what is held: whatever shuts a lid furthest is seen.
+// Space holds both lids, X the character's left one and Z the right one, as they blink them (calls.cpp).
+// Blinks run on beneath what is held: whatever shuts a lid furthest is seen.
 std::array<float, 2> Lids(State& state, const board::Keys& keys, float dt_s) {
   const bool both = IsDown(keys, key::kSpace);
   const std::array<bool, 2> held{both || IsDown(keys, key::kX), both || IsDown(keys, key::kZ)};

@@ -14,8 +14,8 @@ void FollowKnobs(State& state, float dt_s);
 // Head, gaze and brows follow their levels, each with its own half life.
 void FollowLevels(State& state, float dt_s);
 
-// Lids that keys and their levels hold shut, and blinks that run: the shut part of the character's left, right eye, 0..1. The
-// greatest counts. Moves the blinks on by dt_s.
+// Lids that keys and their levels hold shut, and blinks that run: the shut part of the character's left,
+// right eye, 0..1. The greatest counts. Moves the blinks on by dt_s.
 std::array<float, 2> Lids(State& state, const board::Keys& keys, float dt_s);
 
 }  // namespace kaori::performance

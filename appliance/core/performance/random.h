@@ -1,4 +1,5 @@
-// Chance that can be played again: a generator whose whole state is one number, kept in the performance's state.
+// Chance that can be played again: a generator whose whole state is one number, kept in the performance's
+// state.
 #pragma once
 
 #include <cmath>
@@ -6,8 +7,8 @@
 
 namespace kaori::performance {
 
-// splitmix64 (Steele, Lea, Flood 2014): the same number gives the same life. Each kind of event has a stream of its own,
-// so that a blink that did not happen changes no glance.
+// splitmix64 (Steele, Lea, Flood 2014): the same number gives the same life. Each kind of event has a stream
+// of its own, so that a blink that did not happen changes no glance.
 struct RandomStream {
   std::uint64_t state = 0x9E3779B97F4A7C15U;
 };

@@ -21,7 +21,8 @@
 
 namespace kaori::performance {
 
-// How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to neutral.
+// How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to
+// neutral.
 struct StickNow {
   float presence = 1;  // 1: what it says counts; eases to 0 when the device is lost.
   float lost_s = 0;    // For how long it has been gone.
@@ -83,15 +84,17 @@ struct State {
   Fading exposure;            // Of the scene: 1 is as it was lit, 0 is black.
   Fading cue_light, present;  // As cues set them, 0..1.
   CueRun cue_run;
-  // Calls on the board that named what the show has not, and those that came faster than the frames; both wrap.
+  // Calls on the board that named what the show has not, and those that came faster than the frames; both
+  // wrap.
   std::uint32_t calls_refused = 0, calls_lost = 0;
   // The lock (lock.h), what it has refused, and how often it was denied; the counts wrap.
   std::uint16_t locked = 0;             // 1: it is on.
   std::uint16_t locked_out_button = 0;  // That was refused last,
   float since_locked_out_s = 10;        // and for how long that is past.
   std::uint32_t locked_out = 0, locks_denied = 0;
-  // Where the first eight levels (show::Level) stand, and the same smoothed, which is what the face shows. They begin as a
-  // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
+  // Where the first eight levels (show::Level) stand, and the same smoothed, which is what the face shows.
+  // They begin as a box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some
+  // life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
   std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.
   // Who has each level; the value of the first eight is that of `knobs` too, which others may put elsewhere.

@@ -19,13 +19,14 @@ struct Items {
 };
 Items ItemsOf(const face::Cast& cast);
 
-// What the levels of one file are called, and which faces and expressions they are of. `mixes` are those of the roles below an
-// overlay, and grow by those that the file names. Borrows both.
+// What the levels of one file are called, and which faces and expressions they are of. `mixes` are those of
+// the roles below an overlay, and grow by those that the file names. Borrows both.
 class LevelReader {
  public:
   LevelReader(const Items& items, std::vector<show::Call>& mixes) : items_(items), mixes_(mixes) {}
 
-  // What stands under "level"; nothing, and a fault of it, where that is no level. Where not all names are known: nothing alone.
+  // What stands under "level"; nothing, and a fault of it, where that is no level. Where not all names are
+  // known: nothing alone.
   std::optional<show::Level> Read(toml::Section& section);
 
  private:

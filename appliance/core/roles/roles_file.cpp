@@ -125,7 +125,8 @@ class MapReader {
                                           show::kMostCurvePoints));
   }
 
-  // A spring always comes from its middle and a dial only turns: neither has a place from which it would leap.
+  // A spring always comes from its middle and a dial only turns: neither has a place from which it would
+  // leap.
   void ReadTakeover() {
     const auto takeover = IndexOf(section_, "takeover", section_.Text("takeover"), show::kTakeoverNames);
     if (takeover) map_.takeover = static_cast<show::Takeover>(*takeover);

@@ -137,8 +137,8 @@ void CheckSound(const std::string& item, const Sound& sound, Faults& faults) {
     faults.push_back(fmt::format("{}: its sound is longer than {} s", item, kLongestMotion_s));
 }
 
-// From its end a loop goes on at its beginning, so that every curve must be at the same place there. The least is so small that
-// nobody sees it: 0.06 degrees.
+// From its end a loop goes on at its beginning, so that every curve must be at the same place there. The
+// least is so small that nobody sees it: 0.06 degrees.
 void CheckLoop(const std::string& item, const Motion& motion, Faults& faults) {
   constexpr float kUnseenJump = 1e-3F;
   if (motion.loop_from_s == 0 && motion.loop_to_s == 0) return;

@@ -37,7 +37,8 @@ std::int32_t LoopOf(const Cue& cue, const Show& show) {
   return loops ? cue.motion : kNoMotion;
 }
 
-// The order is that in which the performance plays a cue: a scene sets four items, those named beside it then win.
+// The order is that in which the performance plays a cue: a scene sets four items, those named beside it then
+// win.
 void Add(TrackedState& state, const Cue& cue, const Show& show) {
   if (cue.scene) {
     const StageScene& scene = show.scenes[cue.scene->index];

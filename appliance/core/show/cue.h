@@ -1,8 +1,8 @@
 // The cue list of a show: what each GO of an evening does, in the order in which the play wants it.
 //
-// A cue sets what it names and leaves everything else as it was, as on a light desk ("tracking"). What stands after a cue
-// is therefore the sum of all cues up to it; Track adds them up once, when a show is loaded, so that a jump to any cue
-// lands exactly where a run through the list would have come.
+// A cue sets what it names and leaves everything else as it was, as on a light desk ("tracking"). What stands
+// after a cue is therefore the sum of all cues up to it; Track adds them up once, when a show is loaded, so
+// that a jump to any cue lands exactly where a run through the list would have come.
 #pragma once
 
 #include <compare>
@@ -124,8 +124,8 @@ bool IsCueNumber(std::string_view text);
 // The cue at which the chain of `cue` ends: that after which GO is waited for.
 std::size_t EndOfChain(const CueList& list, std::size_t cue);
 
-// Fills `tracked`; scenes, faces and the rest that cues name must exist. A show without cues gets its scenes as cues, the
-// second one first: the first stands when the show opens.
+// Fills `tracked`; scenes, faces and the rest that cues name must exist. A show without cues gets its scenes
+// as cues, the second one first: the first stands when the show opens.
 void Track(Show& show);
 
 }  // namespace kaori::show

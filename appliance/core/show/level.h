@@ -1,5 +1,5 @@
-// The levels of a show: all numbers that operators, cues and remote controls may move, each between its ends and with a rest.
-// One table for the roles' files, the performance, the board and the pages.
+// The levels of a show: all numbers that operators, cues and remote controls may move, each between its ends
+// and with a rest. One table for the roles' files, the performance, the board and the pages.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace kaori::show {
 
-// The first eight are those of the dial box in the order of its dials. They stay where they were put; the others go back to
-// their rest when nobody has them.
+// The first eight are those of the dial box in the order of its dials. They stay where they were put; the
+// others go back to their rest when nobody has them.
 enum class Level : std::uint8_t {
   kFace,
   kExpression,
@@ -55,9 +55,9 @@ struct LevelInfo {
 
 inline constexpr float kDegree = 0.017453293F;
 
-// Head and gaze go as far as a stick pushed to its end took them in 1993's play: 35.5, 23 and 20 degrees of the head and 12 cm
-// towards the audience; 31.5 and 22 degrees of the gaze. Signs are those of render/scene/scene.h: the character's left is the
-// operator's right.
+// Head and gaze go as far as a stick pushed to its end took them in 1993's play: 35.5, 23 and 20 degrees of
+// the head and 12 cm towards the audience; 31.5 and 22 degrees of the gaze. Signs are those of
+// render/scene/scene.h: the character's left is the operator's right.
 inline constexpr std::array<LevelInfo, kLevelCount> kLevels{{
     {"face", 0, 1, 1, 1, ""},            // How much of the called face.
     {"expression", 0, 1, 1, 1, ""},      // How much of the called expression.

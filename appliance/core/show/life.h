@@ -32,8 +32,8 @@ inline float AmountOf(const LifeAmounts& amounts, LifePart part) {
   return amounts[static_cast<std::size_t>(part)];
 }
 
-// A point of the stage that she can look at. Metres, in the cast's frame: from the middle of her head at the height of her
-// eyes, x to her left, y up, z to the audience.
+// A point of the stage that she can look at. Metres, in the cast's frame: from the middle of her head at the
+// height of her eyes, x to her left, y up, z to the audience.
 struct GazeTarget {
   std::string name;
   glm::vec3 at_m{};
@@ -47,8 +47,8 @@ inline constexpr std::int32_t kNoTarget = -1;
 // Whether it can be looked at. False for numbers that are none.
 bool IsTarget(const glm::vec3& at_m);
 
-// The first of a show's targets is the house: whom she looks at while nobody else is named. Where a show has no targets at
-// all, it is four metres ahead.
+// The first of a show's targets is the house: whom she looks at while nobody else is named. Where a show has
+// no targets at all, it is four metres ahead.
 inline constexpr const char* kHouseName = "house";
 inline constexpr glm::vec3 kHouse_m{0, 0, 4};
 inline glm::vec3 HouseOf(const std::vector<GazeTarget>& targets) {

@@ -18,8 +18,8 @@ float Steepness(const MotionKey& a, const MotionKey& b) {
   return (b.value - a.value) / std::max(kShortestWay_s, b.at_s - a.at_s);
 }
 
-// At a key: that of the parabola through it and its neighbours, each side weighted with the length of the other one. An end
-// has one side only.
+// At a key: that of the parabola through it and its neighbours, each side weighted with the length of the
+// other one. An end has one side only.
 float SlopeAt(std::span<const MotionKey> keys, std::size_t i) {
   if (i == 0) return Steepness(keys[0], keys[1]);
   const float before = Steepness(keys[i - 1], keys[i]);

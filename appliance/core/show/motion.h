@@ -32,7 +32,8 @@ struct MotionKey {
 struct MotionCurve {
   MotionTarget target = MotionTarget::kHeadYaw;
   std::uint16_t channel = 0;  // Index of Cast::expressions, where the target is a channel.
-  // Times rise from 0 or later; the first value is 0, and the last one too unless the motion loops: nothing jumps.
+  // Times rise from 0 or later; the first value is 0, and the last one too unless the motion loops: nothing
+  // jumps.
   std::vector<MotionKey> keys;
 };
 // The rate of every recorded sound: that of the loudspeaker, so that nothing is converted while a show plays.
@@ -42,28 +43,29 @@ struct Sound {
   int channels = 1;                   // 1, or 2: left and right side by side.
   std::vector<std::int16_t> samples;  // Whole frames; none: no sound.
 };
-// Called by a key, a button or a cue; while others play they fade out, and this one adds its curves to what the operators
-// move.
+// Called by a key, a button or a cue; while others play they fade out, and this one adds its curves to what
+// the operators move.
 struct Motion {
   std::string name;
   // HID keyboard usage that plays it; 0: no key does.
   std::uint16_t key_usage = 0;
   std::vector<MotionCurve> curves;
   Sound sound{};  // Begins when the curves do.
-  // True: the keys are points of a movement that somebody made, and it goes on smoothly through them. False: they are poses,
-  // and it comes to rest at each.
+  // True: the keys are points of a movement that somebody made, and it goes on smoothly through them. False:
+  // they are poses, and it comes to rest at each.
   bool recorded = false;
-  // Of a motion that loops: from `loop_to_s` it goes on at `loop_from_s`, where every curve has the same value, until
-  // something ends it. Both 0: it plays once.
+  // Of a motion that loops: from `loop_to_s` it goes on at `loop_from_s`, where every curve has the same
+  // value, until something ends it. Both 0: it plays once.
   float loop_from_s = 0;
   float loop_to_s = 0;
 
   bool Loops() const { return loop_to_s > loop_from_s; }
 };
 
-// A curve at a time; 0 before its first key, and from its last one on. `recorded` is that of the motion: false, the value eases
-// in and out between two keys; true, it follows a cubic whose slope at each key is that of the parabola through the key and
-// its neighbours (finite differences). Pure; the time is logarithmic in the number of keys.
+// A curve at a time; 0 before its first key, and from its last one on. `recorded` is that of the motion:
+// false, the value eases in and out between two keys; true, it follows a cubic whose slope at each key is
+// that of the parabola through the key and its neighbours (finite differences). Pure; the time is logarithmic
+// in the number of keys.
 float ValueAt(std::span<const MotionKey> keys, bool recorded, float at_s);
 
 }  // namespace kaori::show

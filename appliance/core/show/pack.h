@@ -14,16 +14,16 @@
 namespace kaori::show {
 
 struct LoadOptions {
-  // Refuse every pack that none of these keys has signed, so all packs where the list is empty; without a list a
-  // signature is checked where there is one, and any signer will do.
+  // Refuse every pack that none of these keys has signed, so all packs where the list is empty; without a
+  // list a signature is checked where there is one, and any signer will do.
   std::optional<PublicKeys> signed_by{};
   // The file lies on a read-only file system whose every block the kernel checks, as the box's root: its
   // checksum is not made again, and it is read where it lies: textures when they are first looked at.
   bool on_verified_root = false;
 };
 
-// What the options --trust (a file with a public key, or a folder of such files; empty: anybody may sign, or nobody)
-// and --verified ask for. Errors: those of ReadPublicKeys.
+// What the options --trust (a file with a public key, or a folder of such files; empty: anybody may sign, or
+// nobody) and --verified ask for. Errors: those of ReadPublicKeys.
 Result<LoadOptions> LoadOptionsOf(const std::filesystem::path& trust, bool verified);
 
 // Reads and checks a pack; blocks for the file. The file is read once into memory of our own before anything
@@ -52,8 +52,9 @@ std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer =
 // Writes the file whole or not at all; what stood there is kept until then. Errors: those of WriteWholeFile.
 Result<void> SavePack(const Show& show, const std::filesystem::path& file, const SecretKey* signer = nullptr);
 
-// Signs a pack that is there, whoever signed it before, and writes it to `into`, which may be the same file. The content
-// is checked as a whole, since whoever signs it answers for it. Errors: as LoadPack, and those of WriteWholeFile.
+// Signs a pack that is there, whoever signed it before, and writes it to `into`, which may be the same file.
+// The content is checked as a whole, since whoever signs it answers for it. Errors: as LoadPack, and those of
+// WriteWholeFile.
 Result<void> SignPack(const std::filesystem::path& file, const std::filesystem::path& into,
                       const SecretKey& signer);
 

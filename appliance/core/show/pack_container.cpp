@@ -12,7 +12,8 @@ namespace {
 // The last three bytes are as in PNG's signature (RFC 2083, 12.11): a transfer that rewrites line ends breaks
 // the first two, and the third ends a file that is typed on a DOS screen.
 constexpr std::string_view kMark = "KAORI\r\n\x1A";
-// FlatBuffers' identifier, at byte 4 of a content. Version 1 had no header, so that it stood at byte 4 of the file.
+// FlatBuffers' identifier, at byte 4 of a content. Version 1 had no header, so that it stood at byte 4 of the
+// file.
 constexpr std::string_view kContentMark = "KAOR";
 // Offsets into the header, as pack_container.h lists them.
 constexpr std::size_t kVersionAt = 8;

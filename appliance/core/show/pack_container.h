@@ -1,4 +1,5 @@
-// What stands before a pack's content: mark, version, length, checksum and, where it is signed, the signature.
+// What stands before a pack's content: mark, version, length, checksum and, where it is signed, the
+// signature.
 #pragma once
 
 #include <array>

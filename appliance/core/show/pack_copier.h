@@ -1,4 +1,5 @@
-// Copies arrays out of a FlatBuffer, and never more bytes than it has: tables of a forged one may share theirs.
+// Copies arrays out of a FlatBuffer, and never more bytes than it has: tables of a forged one may share
+// theirs.
 #pragma once
 
 #include <algorithm>

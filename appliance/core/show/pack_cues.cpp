@@ -44,8 +44,8 @@ std::optional<LifeAmounts> Held(const pack::LifeAmounts* life) {
   return AsHeld<pack::LifeAmounts, LifeAmounts>(*life);
 }
 
-// Texts are made before the table that names them (pack_writer.cpp). A gaze has no struct that could be absent:
-// a number of its own says that the cue sets none.
+// Texts are made before the table that names them (pack_writer.cpp). A gaze has no struct that could be
+// absent: a number of its own says that the cue sets none.
 flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, const Cue& cue) {
   const auto number = to.CreateString(cue.number);
   const auto name = to.CreateString(cue.name);
@@ -87,8 +87,8 @@ Cue ReadCue(Copier& from, const pack::Cue& stored) {
 
 }  // namespace
 
-// A list that was made of the scenes is not stored: whoever loads the pack makes the same one of the same scenes. Tables are
-// written before the vector that names them, as FlatBuffers wants it.
+// A list that was made of the scenes is not stored: whoever loads the pack makes the same one of the same
+// scenes. Tables are written before the vector that names them, as FlatBuffers wants it.
 flatbuffers::Offset<pack::CueList> WriteCueList(flatbuffers::FlatBufferBuilder& to, const CueList& list) {
   std::vector<flatbuffers::Offset<pack::Cue>> offsets;
   if (!list.of_scenes)

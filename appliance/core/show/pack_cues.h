@@ -8,7 +8,8 @@ namespace kaori::show {
 // Cues that Track made of the scenes are left out: whoever reads the pack makes them again.
 flatbuffers::Offset<pack::CueList> WriteCueList(flatbuffers::FlatBufferBuilder& to, const CueList& list);
 
-// A list that is absent reads as one without cues. What does not fit reads as what CheckShow refuses. Does not Track.
+// A list that is absent reads as one without cues. What does not fit reads as what CheckShow refuses. Does
+// not Track.
 CueList ReadCueList(Copier& from, const pack::CueList* stored);
 
 }  // namespace kaori::show

@@ -21,7 +21,8 @@ struct PublicKey {
 
 using PublicKeys = std::vector<PublicKey>;
 
-// The key with which a company signs. Its memory is wiped when it goes, and that of each copy; it is never logged.
+// The key with which a company signs. Its memory is wiped when it goes, and that of each copy; it is never
+// logged.
 class SecretKey {
  public:
   static constexpr std::size_t kBytes = 64;  // The seed, then the public key.
@@ -52,10 +53,10 @@ Result<void> SaveKey(const SecretKey& key, const std::filesystem::path& file);
 Result<SecretKey> ReadSecretKey(const std::filesystem::path& file);
 Result<PublicKey> ReadPublicKey(const std::filesystem::path& file);
 
-// The public keys of several places: a file is one key, a folder is all of its files named *.pub, in the order of their
-// names; a place that does not exist has none. A file of a folder that holds no key is left out, with a line in
-// `faults` where that is given. Blocks for the disk. Errors: those of ReadPublicKey for a file; what a folder cannot
-// be read for.
+// The public keys of several places: a file is one key, a folder is all of its files named *.pub, in the
+// order of their names; a place that does not exist has none. A file of a folder that holds no key is left
+// out, with a line in `faults` where that is given. Blocks for the disk. Errors: those of ReadPublicKey for a
+// file; what a folder cannot be read for.
 Result<PublicKeys> ReadPublicKeys(std::span<const std::filesystem::path> places,
                                   std::vector<std::string>* faults = nullptr);
 Result<PublicKeys> ReadPublicKeys(std::initializer_list<std::filesystem::path> places);

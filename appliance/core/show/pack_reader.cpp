@@ -21,7 +21,8 @@ glm::vec3 Vec(const pack::Vec3* v) {
   return v == nullptr ? glm::vec3{} : glm::vec3(v->x(), v->y(), v->z());
 }
 
-// A table that is missing reads as an empty value, here and below; the checks of the cast then say what is wrong.
+// A table that is missing reads as an empty value, here and below; the checks of the cast then say what is
+// wrong.
 face::SparseRows ReadRows(Copier& from, const pack::SparseRows* rows) {
   if (rows == nullptr) return {};
   return {from.Numbers(rows->row_start()), from.Numbers(rows->column()), from.Numbers(rows->weight())};

@@ -52,8 +52,8 @@ flatbuffers::Offset<pack::Roles> WriteRoles(flatbuffers::FlatBufferBuilder& to, 
   return pack::CreateRoles(to, roles.handover_s, all, mixes);
 }
 
-// A pack from before there were roles plays as the box did then. More mixes than there are levels for are left
-// out, and maps that want those are refused by CheckRoles.
+// A pack from before there were roles plays as the box did then. More mixes than there are levels for are
+// left out, and maps that want those are refused by CheckRoles.
 Roles ReadRoles(Copier& from, const pack::Roles* stored) {
   if (stored == nullptr) return UsualRoles();
   Roles roles{.handover_s = stored->handover_s(), .roles = from.Tables<Role>(stored->roles(), ReadRole)};

@@ -1,5 +1,5 @@
-// Roles: which controls of which device move which levels. One person plays one of them, or several; a role is played from one
-// device at a time, and may be moved to another while the show plays.
+// Roles: which controls of which device move which levels. One person plays one of them, or several; a role
+// is played from one device at a time, and may be moved to another while the show plays.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ inline constexpr std::size_t kDeviceCount = 3;
 inline constexpr std::array<std::string_view, kDeviceCount> kDeviceNames{"left stick", "right stick",
                                                                          "dial box"};
 
-// A control that moves. Its way is -1..1 with a middle to which a spring brings it back, or 0..1 where it stays; a dial turns
-// without ends, and only its turns count.
+// A control that moves. Its way is -1..1 with a middle to which a spring brings it back, or 0..1 where it
+// stays; a dial turns without ends, and only its turns count.
 enum class Control : std::uint8_t { kX, kY, kTwist, kHatX, kHatY, kSlider, kDial };
 inline constexpr std::size_t kControlCount = 7;
 
@@ -64,8 +64,8 @@ struct RoleMap {
   Control control{};
   std::uint8_t dial = 0;  // Of Control::kDial, from 0.
   Level level{};
-  // The level where the control is at the lower and at the upper end of its way; swapped: inverted. Of a dial: `to` - `from`
-  // is what one turn clockwise adds.
+  // The level where the control is at the lower and at the upper end of its way; swapped: inverted. Of a
+  // dial: `to` - `from` is what one turn clockwise adds.
   float from = 0, to = 0;
   float dead = 0;      // Of the way: nothing happens there.
   float exponent = 1;  // Of the way behind the dead zone, 0..1; 1 is straight.
@@ -81,15 +81,16 @@ struct Role {
 };
 
 struct Roles {
-  // In which what is left of the level's former value eases out when another owner has it. A longer way takes longer:
-  // nothing moves further than 2 % of its range in a frame of a 60th of a second.
+  // In which what is left of the level's former value eases out when another owner has it. A longer way takes
+  // longer: nothing moves further than 2 % of its range in a frame of a 60th of a second.
   float handover_s = 0.25F;
   std::vector<Role> roles;
   // Which faces and expressions the levels from Level::kMix1 on are of, kMixCount at most.
   std::vector<Call> mixes{};
 };
 
-// What a show without a roles.toml has: the dial box's dials, head by the left stick, gaze and brows by the right one.
+// What a show without a roles.toml has: the dial box's dials, head by the left stick, gaze and brows by the
+// right one.
 Roles UsualRoles();
 
 // The way of a control behind its dead zone and curve, with its sign. `way` is -1..1; 0, 1 and -1 stay.

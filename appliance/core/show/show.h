@@ -27,7 +27,8 @@ inline constexpr std::size_t kMostItems =
     4096;  // Faces, expressions, props ...: each has an index of 16 bits.
 inline constexpr std::uint16_t kKeyUsages = 256;
 
-// A key of the keyboard that calls what a button may call. `key_usage` is a usage of HID page 7, below kKeyUsages.
+// A key of the keyboard that calls what a button may call. `key_usage` is a usage of HID page 7, below
+// kKeyUsages.
 struct KeyCall {
   std::uint16_t key_usage = 0;
   Call call;
@@ -61,8 +62,8 @@ struct Channels {
 struct Show {
   std::string name;
   face::Cast cast;
-  // By the number of the button, from 0; kNothing for one that calls nothing. The buttons have two sheets, between which calls of
-  // CallKind::kSheet change.
+  // By the number of the button, from 0; kNothing for one that calls nothing. The buttons have two sheets,
+  // between which calls of CallKind::kSheet change.
   std::array<Call, kButtonCount> buttons{}, second_buttons{};
   // By the indices of the cast; items behind their ends have none of their own.
   std::vector<ItemFade> face_fades, expression_fades;

@@ -28,8 +28,8 @@ std::uint64_t ChunkSum(ConstBytes chunk) {
 
 }  // namespace
 
-// Two programs of one evening find the time of the box's start by subtracting two clocks, which is never quite the same;
-// another evening differs by far more than a minute.
+// Two programs of one evening find the time of the box's start by subtracting two clocks, which is never
+// quite the same; another evening differs by far more than a minute.
 bool IsSameEvening(const LogHead& a, const LogHead& b) {
   return std::chrono::abs(a.booted_at - b.booted_at) < std::chrono::minutes(1);
 }
@@ -53,8 +53,8 @@ std::vector<std::uint8_t> HeadBytes(const LogHead& head) {
   return bytes;
 }
 
-// Lengths are compared with what is there before anything is read by them, and the sum before anything is believed: a log
-// is cut off wherever the power went.
+// Lengths are compared with what is there before anything is read by them, and the sum before anything is
+// believed: a log is cut off wherever the power went.
 std::optional<HeadRead> ReadHead(ConstBytes file) {
   if (file.size() < kHead_bytes + kSum_bytes || !HasMark(file, kFileMark) ||
       wire::GetU32(file, 8) != kVersion)

@@ -11,8 +11,8 @@
 //           change of the frame's words (frame_words.h) since the frame before, of which the first counts from 0; the
 //           state's words where they stand there, as a change from 0; the sum of what was shown (u16, output_sum.h)
 //
-// A chunk begins with the whole state, so that a log plays from any of them, and one that is spoilt costs 30 s. The checksum
-// is that of drivers/base/checksum.h.
+// A chunk begins with the whole state, so that a log plays from any of them, and one that is spoilt costs 30
+// s. The checksum is that of drivers/base/checksum.h.
 #pragma once
 
 #include <cstddef>
@@ -57,7 +57,8 @@ struct LogHead {
   std::string roles{};  // The box's own roles.toml; empty: the show's roles play.
 };
 
-// Whether both are of one start of the box; a wall clock that was set by less than a minute between them changes nothing.
+// Whether both are of one start of the box; a wall clock that was set by less than a minute between them
+// changes nothing.
 bool IsSameEvening(const LogHead& a, const LogHead& b);
 
 std::vector<std::uint8_t> HeadBytes(const LogHead& head);
@@ -69,8 +70,8 @@ struct HeadRead {
 // Nothing where the bytes do not begin with a whole head of this version.
 std::optional<HeadRead> ReadHead(std::span<const std::uint8_t> file);
 
-// What stands before a chunk's frames. Numbers count the chunks of one run of the stage, over all files of its
-// log; lost frames are those that came before this chunk and were never handed to the disk.
+// What stands before a chunk's frames. Numbers count the chunks of one run of the stage, over all files of
+// its log; lost frames are those that came before this chunk and were never handed to the disk.
 struct ChunkHead {
   std::uint32_t number = 0;
   std::uint32_t bytes = 0;  // Of its frames.

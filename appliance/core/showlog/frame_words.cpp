@@ -54,8 +54,8 @@ bool HasNothing(const InputEvents& events) {
 
 }  // namespace
 
-// The board's layout, the state's own number and both lengths. Fields that trade places unseen by all of these
-// are why State::kLayout is raised by hand.
+// The board's layout, the state's own number and both lengths. Fields that trade places unseen by all of
+// these are why State::kLayout is raised by hand.
 std::uint64_t WordsLayout() {
   std::uint64_t hash = board::LayoutHash();
   for (const std::size_t part : {std::size_t{performance::State::kLayout}, kStateWords, kFrameWords})
@@ -95,7 +95,8 @@ void PackEvents(const performance::SeenInput& seen, const InputEvents& events, F
   packer.Put(HasNothing(events) ? InputEvents() : events);
 }
 
-// Field by field, since the bytes between them may differ; values of calls by their bits, so that -0 is not 0.
+// Field by field, since the bytes between them may differ; values of calls by their bits, so that -0 is not
+// 0.
 bool IsSame(const InputEvents& a, const InputEvents& b) {
   const auto same_press = [](const performance::Press& x, const performance::Press& y) {
     return x.source == y.source && x.code == y.code && x.shift == y.shift && x.at_us == y.at_us;

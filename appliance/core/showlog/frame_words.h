@@ -12,8 +12,8 @@
 
 namespace kaori::showlog {
 
-// All that performance::Animate was given of the board, and the line check for the report. Other sections that it does not read
-// (lamps, guide, desk, status) are absent: a log says nothing of pairing codes.
+// All that performance::Animate was given of the board, and the line check for the report. Other sections
+// that it does not read (lamps, guide, desk, status) are absent: a log says nothing of pairing codes.
 struct FrameInput {
   Time presented_at{};
   board::Snapshot board;
@@ -50,9 +50,9 @@ template <class... Sections>
 inline constexpr std::size_t kWordsOfSections = (0 + ... + (kSectionHead + kWordsOf<Sections>));
 }  // namespace internal
 
-// The time since the frame before; a bit for each section whose stamp is another one than before; the sections, of which each
-// has its age instead of its stamp, since that hardly changes; what was seen, the events. Values are as they lie in memory of
-// this build (WordsLayout tells builds apart).
+// The time since the frame before; a bit for each section whose stamp is another one than before; the
+// sections, of which each has its age instead of its stamp, since that hardly changes; what was seen, the
+// events. Values are as they lie in memory of this build (WordsLayout tells builds apart).
 inline constexpr std::size_t kFrameWords =
     internal::kWordsOf<Duration> + 1 +
     internal::kWordsOfSections<board::Surface, board::Stick, board::Stick, board::Keys, board::Lines,
@@ -67,21 +67,22 @@ static_assert(std::is_trivially_copyable_v<performance::InputEvents> &&
               sizeof(performance::InputEvents) % sizeof(std::uint32_t) == 0 &&
               sizeof(performance::State) % sizeof(std::uint32_t) == 0);
 
-// Tells one build's words from another's: names and sizes of the board's sections, and the layout of the state.
+// Tells one build's words from another's: names and sizes of the board's sections, and the layout of the
+// state.
 std::uint64_t WordsLayout();
 
-// Both allocate nothing. `into` holds the words of the frame before, and `times` its times: both become those of this one.
-// What was seen and the events are none of it; PackEvents adds them.
+// Both allocate nothing. `into` holds the words of the frame before, and `times` its times: both become those
+// of this one. What was seen and the events are none of it; PackEvents adds them.
 void PackFrame(Time presented_at, const board::Snapshot& board, FrameTimes& times, FrameWords& into);
 void PackEvents(const performance::SeenInput& seen, const performance::InputEvents& events, FrameWords& into);
 void PackState(const performance::State& state, StateWords& into);
 
-// True where both say the same. A frame whose events are those that the board gives (performance::ReadEvents) needs no word
-// for them.
+// True where both say the same. A frame whose events are those that the board gives (performance::ReadEvents)
+// needs no word for them.
 bool IsSame(const performance::InputEvents& a, const performance::InputEvents& b);
 
-// False where the words are no frame that a stage can have played: a section that is not valid, more events than there can be.
-// `times` are those of the frame before, and become those of this one.
+// False where the words are no frame that a stage can have played: a section that is not valid, more events
+// than there can be. `times` are those of the frame before, and become those of this one.
 bool UnpackFrame(const FrameWords& words, FrameTimes& times, FrameInput& into);
 // Any words; the caller asks performance::IsValid.
 performance::State UnpackState(const StateWords& words);

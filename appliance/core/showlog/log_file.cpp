@@ -12,8 +12,8 @@ namespace {
 
 using std::chrono::hours;
 
-// A writer begins another file once one is full, so that a larger one was written by nobody: the chunk that fills it and
-// the one behind it may go beyond.
+// A writer begins another file once one is full, so that a larger one was written by nobody: the chunk that
+// fills it and the one behind it may go beyond.
 constexpr std::size_t kLargestFile_bytes = kFullFile_bytes + 2 * kMostChunk_bytes + kMostRoles_bytes;
 
 std::span<const std::uint8_t> BytesOf(const std::string& text) {
@@ -33,8 +33,8 @@ std::string ClockText(Duration day) {
 
 }  // namespace
 
-// What is no log at all, what is one of another version, and what is torn are told apart: the second can still be played
-// with the programs that wrote it.
+// What is no log at all, what is one of another version, and what is torn are told apart: the second can
+// still be played with the programs that wrote it.
 Result<LogFile> LogFile::Read(const std::filesystem::path& file) {
   auto text = ReadFile(file, {.most_bytes = kLargestFile_bytes});
   if (!text) return tl::unexpected(text.error());
@@ -50,7 +50,8 @@ Result<LogFile> LogFile::Read(const std::filesystem::path& file) {
   return log;
 }
 
-// A spoilt part is passed over byte by byte until the next one begins; a mark alone is not believed without its sum.
+// A spoilt part is passed over byte by byte until the next one begins; a mark alone is not believed without
+// its sum.
 void LogFile::FindChunks(std::size_t at, const std::string& name) {
   const auto bytes = BytesOf(file_);
   std::size_t whole_until = at;
@@ -77,7 +78,8 @@ void LogFile::FindChunks(std::size_t at, const std::string& name) {
   name_gap(bytes.size());
 }
 
-// Since the midnight before the log's first frame, in the box's own time zone as it was then. It goes on beyond 24 hours.
+// Since the midnight before the log's first frame, in the box's own time zone as it was then. It goes on
+// beyond 24 hours.
 Duration LogFile::DayTime(Time at) const {
   const auto local = [this](Time t) {
     return head_.booted_at + t.time_since_epoch() + std::chrono::seconds(head_.utc_offset_s);

@@ -24,8 +24,8 @@ struct Chunk {
 // One file in memory. What of it is spoilt is named in faults(), and the rest is there.
 class LogFile {
  public:
-  // Blocks for the disk. Errors: those of ReadFile; bad_message (kInput): it is no log, its head is torn, it is of another
-  // version of the programs, or no chunk of it is whole.
+  // Blocks for the disk. Errors: those of ReadFile; bad_message (kInput): it is no log, its head is torn, it
+  // is of another version of the programs, or no chunk of it is whole.
   static Result<LogFile> Read(const std::filesystem::path& file);
   LogFile(LogFile&&) = default;  // Its bytes stay where they are.
   LogFile& operator=(LogFile&&) = default;
@@ -41,7 +41,8 @@ class LogFile {
   Duration DayTime(Time at) const;
   // The same as people write it: "19:43:10".
   std::string DayTimeText(Time at) const;
-  // The moment of "19:43:10" or "19:43": the first one after the log's begin. Nothing where the text is no time of day.
+  // The moment of "19:43:10" or "19:43": the first one after the log's begin. Nothing where the text is no
+  // time of day.
   std::optional<Time> AtDayTime(std::string_view text) const;
   // The day on which the log begins: "2026-11-22".
   std::string Day() const;

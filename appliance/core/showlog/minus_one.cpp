@@ -41,8 +41,9 @@ Result<MinusOne::Sections> MinusOne::LiveSections(const show::Show& show, const 
   return Sections().set(dials ? kSurface : kLeftStick + device);
 }
 
-// A chunk begins with a state; what lies between it and `at` is played, so that the state is that of `at`. Its first frame always
-// is: the events of that one stand in the log, and do not follow from what was seen before.
+// A chunk begins with a state; what lies between it and `at` is played, so that the state is that of `at`.
+// Its first frame always is: the events of that one stand in the log, and do not follow from what was seen
+// before.
 Result<MinusOne> MinusOne::Open(const LogFile& log, const show::Show& show, Time at, std::string_view role) {
   MinusOne evening(log, show);
   Replay& replay = evening.replay_;
@@ -74,8 +75,8 @@ const performance::State& MinusOne::Begin(Time presented_at) {
   return state_;
 }
 
-// Frames of the evening and of this play need not have one rate: the newest that is due is laid. Counters add up, so that no
-// press between two of them is lost.
+// Frames of the evening and of this play need not have one rate: the newest that is due is laid. Counters add
+// up, so that no press between two of them is lost.
 bool MinusOne::Lay(Time presented_at, board::Snapshot& board) {
   while (!over_ && replay_.presented_at() + later_ <= presented_at) {
     laid_ = replay_.board();

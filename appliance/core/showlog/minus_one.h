@@ -16,19 +16,21 @@ namespace kaori::showlog {
 // One thread. Reads no file once it is open, and allocates nothing in Lay.
 class MinusOne {
  public:
-  // The evening from `at` on, without what was done on the device of `role` (a stick, or the dial box with its buttons). A role
-  // "lips", where the show calls none so, is that of lips and voice. `log` and `show` outlive it; the show is the one that was
-  // played, with the roles of the box. Takes as long as playing up to half a minute without drawing. Errors: kInput: there is no
-  // such role, nobody played it then, or the log has nothing at that time.
+  // The evening from `at` on, without what was done on the device of `role` (a stick, or the dial box with
+  // its buttons). A role "lips", where the show calls none so, is that of lips and voice. `log` and `show`
+  // outlive it; the show is the one that was played, with the roles of the box. Takes as long as playing up
+  // to half a minute without drawing. Errors: kInput: there is no such role, nobody played it then, or the
+  // log has nothing at that time.
   static Result<MinusOne> Open(const LogFile& log, const show::Show& show, Time at, std::string_view role);
 
-  // The evening's first frame is presented at this time: what the show stood in before it. What that has seen are the counters of
-  // the evening's board; those of a live dial box are taken as they are found. To be called once, before Lay.
+  // The evening's first frame is presented at this time: what the show stood in before it. What that has seen
+  // are the counters of the evening's board; those of a live dial box are taken as they are found. To be
+  // called once, before Lay.
   const performance::State& Begin(Time presented_at);
 
-  // Lays the evening over the live board of the frame that is presented at this time. What is laid keeps its age. False where
-  // the evening is over or its log has a gap: nothing is laid then, and the board's counters are others than before
-  // (performance::ForgetCounters).
+  // Lays the evening over the live board of the frame that is presented at this time. What is laid keeps its
+  // age. False where the evening is over or its log has a gap: nothing is laid then, and the board's counters
+  // are others than before (performance::ForgetCounters).
   bool Lay(Time presented_at, board::Snapshot& board);
 
  private:

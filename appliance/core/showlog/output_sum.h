@@ -7,8 +7,9 @@
 
 namespace kaori::showlog {
 
-// Of every number of the scene that the performance makes, and of the lamps; padding, the editor's handles and captions are
-// left out. The same performance on the same kind of processor gives the same sum. Below 1 us; allocates nothing.
+// Of every number of the scene that the performance makes, and of the lamps; padding, the editor's handles
+// and captions are left out. The same performance on the same kind of processor gives the same sum. Below 1
+// us; allocates nothing.
 std::uint16_t OutputSum(const performance::Performed& made);
 
 }  // namespace kaori::showlog

@@ -50,7 +50,8 @@ void Recorder::Append(const Given& given, bool with_state, std::uint16_t sum) {
   before_ = now_;
 }
 
-// Neither the editor nor a calibration has taken anything out, and the board is no other one: so it is in a show.
+// Neither the editor nor a calibration has taken anything out, and the board is no other one: so it is in a
+// show.
 bool Recorder::FollowFromBoard(const Given& given) {
   performance::SeenInput seen = seen_;
   seen_ = given.state.seen;

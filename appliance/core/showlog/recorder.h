@@ -14,18 +14,19 @@
 
 namespace kaori::showlog {
 
-// Two threads: Note and Close are the stage's, handed and Release are those of whoever writes to the disk. All memory is made
-// in the constructor; the stage never waits. A chunk that is full while the one before is still being written is dropped, and
-// the next one says how many frames are missing.
+// Two threads: Note and Close are the stage's, handed and Release are those of whoever writes to the disk.
+// All memory is made in the constructor; the stage never waits. A chunk that is full while the one before is
+// still being written is dropped, and the next one says how many frames are missing.
 class Recorder {
  public:
-  // `ask` is called by the stage's thread whenever a chunk is handed over; it must not wait. handed() gives it until Release.
+  // `ask` is called by the stage's thread whenever a chunk is handed over; it must not wait. handed() gives
+  // it until Release.
   explicit Recorder(std::function<void()> ask);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // What Animate was given. `changed`: `state` is not what the frame before made, since an editor has changed it; what it has
-  // seen of the board may differ at any time.
+  // What Animate was given. `changed`: `state` is not what the frame before made, since an editor has changed
+  // it; what it has seen of the board may differ at any time.
   struct Given {
     Time presented_at{};
     const board::Snapshot& board;
@@ -34,7 +35,8 @@ class Recorder {
     bool changed = false;
   };
 
-  // Adds a frame and what came of it; closes the chunk after kChunkTime. Takes some microseconds; allocates nothing.
+  // Adds a frame and what came of it; closes the chunk after kChunkTime. Takes some microseconds; allocates
+  // nothing.
   void Note(const Given& given, const performance::Performed& made);
 
   // Hands over what there is: at an orderly end.
@@ -48,7 +50,8 @@ class Recorder {
  private:
   // Adds the bytes of one frame behind `bytes_`.
   void Append(const Given& given, bool with_state, std::uint16_t sum);
-  // Whether the events follow from the board and from what the frame before had seen, which then becomes this one's.
+  // Whether the events follow from the board and from what the frame before had seen, which then becomes this
+  // one's.
   bool FollowFromBoard(const Given& given);
   std::span<std::uint8_t> room() { return std::span(buffers_[filling_]).subspan(kChunkHead_bytes + bytes_); }
 

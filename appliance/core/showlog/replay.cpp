@@ -8,8 +8,8 @@
 
 namespace kaori::showlog {
 
-// A replay can only begin where a chunk does, whose first frame has a whole state: that is up to a chunk's length before
-// `at`, and whoever asked passes over the frames in between.
+// A replay can only begin where a chunk does, whose first frame has a whole state: that is up to a chunk's
+// length before `at`, and whoever asked passes over the frames in between.
 void Replay::GoTo(Time at) {
   const auto& chunks = log_.chunks();
   chunk_ = 0;
@@ -56,8 +56,8 @@ void Replay::BeginChunk() {
   times_ = {};
 }
 
-// A frame: flags, what has changed on the board since the frame before, a state where the flags say so, and the sum of what
-// was made of it. Gives what is wrong with it, or nothing.
+// A frame: flags, what has changed on the board since the frame before, a state where the flags say so, and
+// the sum of what was made of it. Gives what is wrong with it, or nothing.
 std::optional<std::string> Replay::ReadFrame() {
   const auto bytes = log_.chunks()[chunk_].frames.subspan(at_);
   if (bytes.empty() || bytes[0] > (kWithState | kEventsOfBoard)) return "it ends before its last frame";
@@ -83,7 +83,8 @@ std::optional<std::string> Replay::ReadFrame() {
   return std::nullopt;
 }
 
-// The state of a chunk's first frame is used where nothing goes on; that of a later frame always, since an editor made it.
+// The state of a chunk's first frame is used where nothing goes on; that of a later frame always, since an
+// editor made it.
 std::optional<std::string> Replay::ReadState(std::span<const std::uint8_t> from, std::size_t& at) {
   state_words_ = {};
   const auto bytes = ReadChange(from.subspan(at), state_words_);
@@ -98,7 +99,8 @@ std::optional<std::string> Replay::ReadState(std::span<const std::uint8_t> from,
   return std::nullopt;
 }
 
-// The same function that the stage calls. Where its result has another sum, the frame is counted, and played all the same.
+// The same function that the stage calls. Where its result has another sum, the frame is counted, and played
+// all the same.
 void Replay::Make() {
   made_.state.seen = input_.seen;
   made_ = performance::Animate(made_.state, input_.board, input_.events, show_, input_.presented_at);

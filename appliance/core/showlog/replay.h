@@ -13,8 +13,9 @@
 
 namespace kaori::showlog {
 
-// Pure but for the two that it borrows, which outlive it. The state is taken from the log where a stretch begins, and is the
-// replay's own from there on: each frame is made from the one before, as it was on the evening.
+// Pure but for the two that it borrows, which outlive it. The state is taken from the log where a stretch
+// begins, and is the replay's own from there on: each frame is made from the one before, as it was on the
+// evening.
 class Replay {
  public:
   // `show` is the one that was played, with the roles of the box.
@@ -23,17 +24,19 @@ class Replay {
   // Goes to the chunk in which `at` lies, or to the next one; the following Next gives its first frame.
   void GoTo(Time at);
 
-  // Reads the next frame and makes it. False at the end of the log. A chunk that cannot be played is named and passed over.
+  // Reads the next frame and makes it. False at the end of the log. A chunk that cannot be played is named
+  // and passed over.
   bool Next();
 
-  // The two halves of Next, for whoever plays something else over what was read. A frame that was read and not made leaves
-  // made() as it was, but where a stretch begins: there its state is the log's.
+  // The two halves of Next, for whoever plays something else over what was read. A frame that was read and
+  // not made leaves made() as it was, but where a stretch begins: there its state is the log's.
   bool Read();
   void Make();
 
   // The frame that was made last.
   const performance::Performed& made() const { return made_; }
-  // Of the frame that was read last: what it had seen of the board, when it was presented, its board and its events.
+  // Of the frame that was read last: what it had seen of the board, when it was presented, its board and its
+  // events.
   const performance::SeenInput& seen() const { return seen_; }
   Time presented_at() const { return input_.presented_at; }
   const board::Snapshot& board() const { return input_.board; }
@@ -49,7 +52,8 @@ class Replay {
   const std::vector<std::string>& faults() const { return faults_; }
 
  private:
-  // Reads the next frame's bytes into input_ and, where it has one, state_. Nothing is changed where they are none; then why.
+  // Reads the next frame's bytes into input_ and, where it has one, state_. Nothing is changed where they are
+  // none; then why.
   std::optional<std::string> ReadFrame();
   std::optional<std::string> ReadState(std::span<const std::uint8_t> from, std::size_t& at);
   void BeginChunk();

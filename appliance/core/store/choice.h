@@ -1,4 +1,5 @@
-// Which of the shows on a box is played: the choice among the packs on the data partition and the one in the root.
+// Which of the shows on a box is played: the choice among the packs on the data partition and the one in the
+// root.
 //
 // The folder of shows (/var/lib/kaori/shows) holds
 //   ID.kaori            packs; ID is the checksum of the pack's content, 64 hexadecimal digits
@@ -35,7 +36,8 @@ bool IsId(std::string_view text);
 // The name of a pack's file in the folder of shows. `id` is an id.
 std::string PackName(std::string_view id);
 
-// The text of a choice, with a checksum at its end, and back; nothing for a text that is torn or foreign. Pure.
+// The text of a choice, with a checksum at its end, and back; nothing for a text that is torn or foreign.
+// Pure.
 std::string Format(const Choice& choice);
 std::optional<Choice> ParseChoice(std::string_view text);
 

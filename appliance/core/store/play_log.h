@@ -1,5 +1,6 @@
-// What became of the shows since the box was switched on: which one plays, and which ended the stage how often. It lies
-// in memory (/run/kaori/plays), so that a show that was given up gets another trial after the box was off.
+// What became of the shows since the box was switched on: which one plays, and which ended the stage how
+// often. It lies in memory (/run/kaori/plays), so that a show that was given up gets another trial after the
+// box was off.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +14,9 @@
 
 namespace kaori::store {
 
-// A show gives way to the one before it where it ends the stage so often within the span, or so often one after the other
-// without having played for that span at all: one that hangs, or ends slowly, takes longer for each end.
+// A show gives way to the one before it where it ends the stage so often within the span, or so often one
+// after the other without having played for that span at all: one that hangs, or ends slowly, takes longer
+// for each end.
 inline constexpr int kMostEnds = 3;
 inline constexpr Duration kEndsWithin = std::chrono::minutes(1);
 inline constexpr Duration kSettlesAfter = kEndsWithin;
@@ -37,8 +39,8 @@ struct PlayLog {
   friend bool operator==(const PlayLog&, const PlayLog&) = default;
 };
 
-// A stage starts at `now`: counts how the last one ended, and gives up what has ended the stage too often. The result
-// names no show as playing. Pure.
+// A stage starts at `now`: counts how the last one ended, and gives up what has ended the stage too often.
+// The result names no show as playing. Pure.
 PlayLog Started(PlayLog log, const Choice& choice, Time now);
 
 // The shows that are left to try, in their order; the root's is always among them. Pure.

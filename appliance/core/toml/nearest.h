@@ -8,9 +8,10 @@
 
 namespace kaori::toml {
 
-// Of `names` the one that differs from `written` by the fewest letters left out, put in, changed, or swapped with
-// their neighbour; capitals do not matter. Empty where none is close: more than a third of the letters, or of
-// two, differ. Borrows the names. Pure; the effort grows with the product of the lengths, of 64 letters at most.
+// Of `names` the one that differs from `written` by the fewest letters left out, put in, changed, or swapped
+// with their neighbour; capitals do not matter. Empty where none is close: more than a third of the letters,
+// or of two, differ. Borrows the names. Pure; the effort grows with the product of the lengths, of 64 letters
+// at most.
 std::string_view Nearest(std::string_view written, const std::vector<std::string_view>& names);
 
 // "; did you mean \"smile\"?", to be put behind a reason; empty where nothing is close.

@@ -135,7 +135,8 @@ glm::dvec3 Section::Point_cm(std::string_view key, double most_cm) {
   return point;
 }
 
-// A wrong item is a fault and counts as 0, so that the list keeps its length. The same holds for Points and Texts.
+// A wrong item is a fault and counts as 0, so that the list keeps its length. The same holds for Points and
+// Texts.
 std::vector<double> Section::Numbers(std::string_view key) {
   std::vector<double> numbers;
   const Value* value = Need(key, Value::Kind::kList, "a list of numbers");

@@ -56,11 +56,11 @@ class Section {
   // one of the wrong kind is a fault all the same.
   double Number(std::string_view key);
   double NumberOr(std::string_view key, double otherwise);
-  // A whole number within both ends; anything else is a fault and reads as `low`. An `otherwise` that lies outside makes the key
-  // one that must be there.
+  // A whole number within both ends; anything else is a fault and reads as `low`. An `otherwise` that lies
+  // outside makes the key one that must be there.
   int WholeOr(std::string_view key, int otherwise, int low, int high);
-  // A number within both ends, as float; it is given even where it is a fault. `otherwise` is judged as well. `unit` follows the
-  // number in the fault: " s".
+  // A number within both ends, as float; it is given even where it is a fault. `otherwise` is judged as well.
+  // `unit` follows the number in the fault: " s".
   float FloatOr(std::string_view key, float otherwise, float low, float high, std::string_view unit = "");
   // Centimetres. A fault outside of `within_cm` says so, since the usual cause is metres or millimetres.
   double Length_cm(std::string_view key, Range within_cm);

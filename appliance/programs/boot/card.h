@@ -17,19 +17,20 @@ struct Splash {
   std::uint32_t framebuffer = 0;
 };
 
-// One card's open file. The kernel keeps the pictures on the screens for as long as the file is open and no other
-// program shows its own. One thread; every call blocks for the kernel's mode setting only.
+// One card's open file. The kernel keeps the pictures on the screens for as long as the file is open and no
+// other program shows its own. One thread; every call blocks for the kernel's mode setting only.
 class Card {
  public:
   // Opens `path`; where that fails every other call does nothing. The first program that opens a card is its
   // DRM master, without which no mode can be set.
   explicit Card(const char* path);
 
-  // Shows `still` on every screen that is plugged in, in the mode that the screen prefers. A screen for which any
-  // step fails stays dark. Borrows the still's bytes during the call. Returns what is shown.
+  // Shows `still` on every screen that is plugged in, in the mode that the screen prefers. A screen for which
+  // any step fails stays dark. Borrows the still's bytes during the call. Returns what is shown.
   std::vector<Splash> ShowOnAll(const Still& still) const;
 
-  // Gives up DRM master, so that the next program that opens the card becomes it. The pictures stay until then.
+  // Gives up DRM master, so that the next program that opens the card becomes it. The pictures stay until
+  // then.
   void DropMaster() const;
 
   // Whether any of the pictures is still scanned out. False as soon as another program shows a framebuffer of

@@ -28,7 +28,8 @@ std::optional<fs::path> DiskOf(const fs::path& partition) {
   return real.parent_path();
 }
 
-// Slaves of the verified root are its data and its hash tree; both lie on one disk, so that the first one will do.
+// Slaves of the verified root are its data and its hash tree; both lie on one disk, so that the first one
+// will do.
 std::optional<fs::path> DiskOfRoot(const fs::path& blocks) {
   const auto slaves = ListFolder(blocks / kRoot / "slaves");
   return slaves && !slaves->empty() ? DiskOf(slaves->front()) : std::nullopt;

@@ -8,9 +8,9 @@
 
 namespace kaori::boot {
 
-// The number in `file`: 32 lower-case hexadecimal digits, not all of them 0. A file that is missing or damaged is replaced by
-// a new random number, so that two boxes that were made alike differ. Does not wait until the kernel has gathered randomness:
-// the number is no secret. Errors: those of writing the file.
+// The number in `file`: 32 lower-case hexadecimal digits, not all of them 0. A file that is missing or
+// damaged is replaced by a new random number, so that two boxes that were made alike differ. Does not wait
+// until the kernel has gathered randomness: the number is no secret. Errors: those of writing the file.
 Result<std::string> KeptMachineId(const std::filesystem::path& file);
 
 }  // namespace kaori::boot

@@ -1,8 +1,8 @@
-// kaori-boot: process 1 of the box. Shows the boot splash (the picture of the last face, or of the show's first
-// one), mounts what is kept, applies the settings, and then becomes systemd.
+// kaori-boot: process 1 of the box. Shows the boot splash (the picture of the last face, or of the show's
+// first one), mounts what is kept, applies the settings, and then becomes systemd.
 //
-// Nothing stops it: a box that cannot show a splash starts all the same, and a moment later the stage says what is
-// wrong. What it has to say itself goes to the kernel's log.
+// Nothing stops it: a box that cannot show a splash starts all the same, and a moment later the stage says
+// what is wrong. What it has to say itself goes to the kernel's log.
 #include <fcntl.h>
 #include <poll.h>
 #include <sched.h>
@@ -40,7 +40,8 @@ It shows the boot splash, mounts the data partition, /proc, /sys and /run, appli
 It has no options, and does nothing unless it is process 1, as the kernel starts it (init=/usr/bin/kaori-boot).
 )";
 
-// Paths of the image: read-only below /usr, kept on the data partition below /var/lib/kaori, in memory below /run.
+// Paths of the image: read-only below /usr, kept on the data partition below /var/lib/kaori, in memory below
+// /run.
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kLastFace = "/var/lib/kaori/own/last-face";
 constexpr const char* kPack = "/usr/share/kaori/kaori.kaori";
@@ -53,7 +54,8 @@ constexpr const char* kData = "/var/lib/kaori";
 constexpr const char* kProfiles = "/run/kaori-profile";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
-// The process id by which the program knows that the kernel has started it, and its status when it is misused.
+// The process id by which the program knows that the kernel has started it, and its status when it is
+// misused.
 constexpr pid_t kFirstProcess = 1;
 constexpr int kMisused = 2;
 constexpr int kLongestMount_ms = 1000;         // A disk that takes longer is not waited for, and
@@ -61,7 +63,8 @@ constexpr int kLongestSplash_ms = 2500;        // neither is a card.
 constexpr unsigned kCheckPeriod_us = 200'000;  // How often the splash asks whether it is still shown,
 constexpr int kMostChecks = 5 * 60 * 5;        // and how often at most: for five minutes.
 
-// Maps a whole file, or as much of its beginning, for as long as the program lives: the splash waits for no copy.
+// Maps a whole file, or as much of its beginning, for as long as the program lives: the splash waits for no
+// copy.
 std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX) {
   const UniqueFd fd(::open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat status {};
@@ -86,7 +89,8 @@ std::optional<Pipe> MakePipe() {
   return Pipe{UniqueFd(ends[0]), UniqueFd(ends[1])};
 }
 
-// Returns when the other end is closed, or after `longest_ms`: the start of the box waits for nothing without a limit.
+// Returns when the other end is closed, or after `longest_ms`: the start of the box waits for nothing without
+// a limit.
 void AwaitClose(const UniqueFd& read_end, int longest_ms) {
   pollfd closed{.fd = read_end.get(), .events = POLLIN, .revents = 0};
   ::poll(&closed, 1, longest_ms);
@@ -97,8 +101,8 @@ void AwaitStage(const kaori::boot::Card& card, const std::vector<kaori::boot::Sp
   for (int checks = 0; checks < kMostChecks && card.IsShown(shown); ++checks) ::usleep(kCheckPeriod_us);
 }
 
-// The last face is shown only where the stage will resume it: not without the disk on which its state lies, nor where
-// another show was chosen since.
+// The last face is shown only where the stage will resume it: not without the disk on which its state lies,
+// nor where another show was chosen since.
 std::optional<kaori::boot::Still> ChooseStill() {
   namespace last_face = kaori::last_face;
   const auto pack = kaori::store::PackOf(kaori::store::ReadChoice(kShows).current, kShows, kPack);
@@ -144,15 +148,17 @@ void Report(const std::string& line) {
 // Nothing that is kept may bring devices, rights or programs with it.
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
 
-// The device of a data partition that cannot be mounted, for kaori-data; empty where it can be, or where there is none.
+// The device of a data partition that cannot be mounted, for kaori-data; empty where it can be, or where
+// there is none.
 std::string g_ruined;
 
-// ext4 keeps copies of its superblock. These are where it and its first copy lie, with blocks of 1 KiB and of 4 KiB
-// (ext4(5), sb=, in KiB).
+// ext4 keeps copies of its superblock. These are where it and its first copy lie, with blocks of 1 KiB and of
+// 4 KiB (ext4(5), sb=, in KiB).
 constexpr std::array<const char*, 3> kSuperblocks{"", "sb=8193", "sb=131072"};
 
-// Mounts what a show keeps, and says whether it is there. Where this fails systemd tries once more, and the show plays
-// without. /proc and /sys come first: the partition is looked for in the latter. systemd finds both mounted.
+// Mounts what a show keeps, and says whether it is there. Where this fails systemd tries once more, and the
+// show plays without. /proc and /sys come first: the partition is looked for in the latter. systemd finds
+// both mounted.
 bool MountData() {
   ::mount("proc", "/proc", "proc", kPlainMount, nullptr);
   ::mount("sysfs", "/sys", "sysfs", kPlainMount, nullptr);
@@ -172,7 +178,8 @@ bool MountData() {
   return false;
 }
 
-// Reads ahead in a process of its own, while a processor has nothing else to do; at most half of the free memory.
+// Reads ahead in a process of its own, while a processor has nothing else to do; at most half of the free
+// memory.
 void StartReadingAhead() {
   struct sysinfo now {};
   if (::sysinfo(&now) != 0 || ::fork() != 0) return;
@@ -190,8 +197,9 @@ void WriteSetting(const std::string& name, std::string_view text) {
     Report(written.error().message());
 }
 
-// Leaves in a folder that is there before everything else: for udev's rules a file that is named after the profile,
-// for kaori-input which lines are what, for kaori-stage which screen is the operators', and what its status says.
+// Leaves in a folder that is there before everything else: for udev's rules a file that is named after the
+// profile, for kaori-input which lines are what, for kaori-stage which screen is the operators', and what its
+// status says.
 void ApplySettings() {
   const auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Report(profile.fault);
@@ -206,8 +214,9 @@ void ApplySettings() {
   if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
 }
 
-// Lays the box's own number over the root's empty /etc/machine-id: the journal keeps its files in a folder of that name, and
-// without it systemd would make up another number at each start. A copy in memory, so that nothing holds the partition.
+// Lays the box's own number over the root's empty /etc/machine-id: the journal keeps its files in a folder of
+// that name, and without it systemd would make up another number at each start. A copy in memory, so that
+// nothing holds the partition.
 void ApplyMachineId() {
   const auto id = kaori::boot::KeptMachineId(std::string(kData) + "/machine-id");
   if (!id) return Report(id.error().message());
@@ -255,7 +264,8 @@ int Refuse(int argc, char** argv) {
 
 }  // namespace
 
-// Where systemd cannot be executed the kernel panics, which is what happens to a box without an init in any case.
+// Where systemd cannot be executed the kernel panics, which is what happens to a box without an init in any
+// case.
 int main(int argc, char** argv) {
   if (::getpid() != kFirstProcess) return Refuse(argc, argv);
   Boot();

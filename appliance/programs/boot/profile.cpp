@@ -67,8 +67,8 @@ std::string ParseScreen(std::string_view value, std::string& screen) {
   return {};
 }
 
-// The text goes into an environment file of systemd and is cut at blanks there. kaori-input checks it again; the two programs
-// share no code.
+// The text goes into an environment file of systemd and is cut at blanks there. kaori-input checks it again;
+// the two programs share no code.
 std::string ParseDialBox(std::string_view value, std::string& dial_box) {
   constexpr std::array<std::string_view, 3> kKinds{"=sgi", "=spectragraphics", "=dls80"};
   constexpr std::size_t kLongestLine = 200;

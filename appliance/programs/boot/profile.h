@@ -35,7 +35,8 @@ struct Profile {
 // reason"; ChooseProfile adds the file's name.
 Profile ReadProfile(std::string_view text);
 
-// For kaori-input's unit: KAORI_DIALS, its options for a dial box on a serial line; empty where there is none.
+// For kaori-input's unit: KAORI_DIALS, its options for a dial box on a serial line; empty where there is
+// none.
 std::string DialsEnvironmentOf(const Profile& profile);
 
 // Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one

@@ -8,7 +8,8 @@
 namespace kaori::boot {
 namespace {
 
-// The bounds of kaori-input (input/line_roles.h) for lines, and of the kernel (GPIO_MAX_NAME_SIZE is 32) for labels.
+// The bounds of kaori-input (input/line_roles.h) for lines, and of the kernel (GPIO_MAX_NAME_SIZE is 32) for
+// labels.
 constexpr int kMostLine = 63;
 constexpr std::size_t kLongestLabel = 32;
 
@@ -60,7 +61,8 @@ std::string CheckWiring(const Wiring& wiring) {
   return {};
 }
 
-// In systemd's form of an EnvironmentFile. Without any line the chip is empty, and kaori-input then opens none.
+// In systemd's form of an EnvironmentFile. Without any line the chip is empty, and kaori-input then opens
+// none.
 std::string EnvironmentOf(const Wiring& wiring) {
   std::string words;
   for (std::size_t n = 0; n < kLineNames.size(); ++n) {

@@ -21,8 +21,9 @@ inline constexpr std::array<Folder, 6> kFolders{
     Folder{"own", "kaori-stage", 0700},   Folder{"lips", "kaori-lips", 0700},
     Folder{"input", "kaori-input", 0700}, Folder{"shows", "root", 0755}};
 
-// Makes the folder `into`, anew where it is there already, and the folders in it. Needs the right to give files away.
-// Errors: those of mkdir(2), chmod(2) and chown(2); invalid_argument, a user whom passwd does not know.
+// Makes the folder `into`, anew where it is there already, and the folders in it. Needs the right to give
+// files away. Errors: those of mkdir(2), chmod(2) and chown(2); invalid_argument, a user whom passwd does not
+// know.
 Result<void> MakeFolders(const std::string& into, std::span<const Folder> folders = kFolders);
 
 }  // namespace kaori::data

@@ -1,7 +1,8 @@
 // kaori-data: mends the data partition, once the service key is on.
 //
-// It runs only on a box whose data partition could not be mounted: kaori-boot leaves its device's name in a file. The show
-// plays meanwhile, and keeps nothing. Nobody's settings are touched before somebody with the key wants it.
+// It runs only on a box whose data partition could not be mounted: kaori-boot leaves its device's name in a
+// file. The show plays meanwhile, and keeps nothing. Nobody's settings are touched before somebody with the
+// key wants it.
 #include <chrono>
 #include <filesystem>
 #include <string>

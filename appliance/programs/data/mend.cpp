@@ -13,8 +13,8 @@ namespace {
 constexpr const char* kCheck = "/sbin/e2fsck";
 constexpr const char* kMake = "/sbin/mke2fs";
 constexpr const char* kSystemctl = "/bin/systemctl";
-// e2fsck(8): 1 errors were mended, 2 the same and the system should start anew; 4 errors are left, 8 it finds no file system
-// that it could mend. Any other status, or a signal, says nothing of the file system.
+// e2fsck(8): 1 errors were mended, 2 the same and the system should start anew; 4 errors are left, 8 it finds
+// no file system that it could mend. Any other status, or a signal, says nothing of the file system.
 constexpr int kMostMended = 3, kErrorsLeft = 4, kNoFileSystem = 8;
 // How kaori-boot begins each line about the partition.
 constexpr std::string_view kOfPartition = "the data partition ";
@@ -31,8 +31,8 @@ Result<void> RunWell(const Partition& partition, const std::vector<std::string>&
   return FailedWith(*status, partition, words[0]);
 }
 
-// Whether the file system is whole, or was mended; false where it is beyond mending. Errors: those of a check that came to no
-// end, which says nothing of what is kept.
+// Whether the file system is whole, or was mended; false where it is beyond mending. Errors: those of a check
+// that came to no end, which says nothing of what is kept.
 Result<bool> Save(const Partition& partition) {
   const auto status = partition.run({kCheck, "-f", "-y", partition.device});
   if (!status) return tl::unexpected(status.error());
@@ -55,8 +55,8 @@ Result<void> MakeAnew(const Partition& partition) {
 
 }  // namespace
 
-// Only what e2fsck has found beyond mending is replaced. A check that was killed, or a mount that systemd refuses although the
-// file system is whole, is tried again later: what is kept is worth the wait.
+// Only what e2fsck has found beyond mending is replaced. A check that was killed, or a mount that systemd
+// refuses although the file system is whole, is tried again later: what is kept is worth the wait.
 Result<Mended> Mend(const Partition& partition) {
   const auto saved = Save(partition);
   if (!saved) return tl::unexpected(saved.error());

@@ -23,14 +23,15 @@ enum class Mended {
   kMadeAnew  // Nothing of it was to be saved.
 };
 
-// Lets e2fsck mend the file system and has it mounted. Only where e2fsck finds it beyond mending a new file system takes its
-// place, with what lies in `folders`. The partition must not be mounted. Blocks for minutes on a slow disk. A power
-// cut at any moment leaves a partition that this call mends. Errors: those of running the programs; io_error, where e2fsck
-// came to no end, or no file system could be made or mounted: what is kept is untouched then, and the call may be repeated.
+// Lets e2fsck mend the file system and has it mounted. Only where e2fsck finds it beyond mending a new file
+// system takes its place, with what lies in `folders`. The partition must not be mounted. Blocks for minutes
+// on a slow disk. A power cut at any moment leaves a partition that this call mends. Errors: those of running
+// the programs; io_error, where e2fsck came to no end, or no file system could be made or mounted: what is
+// kept is untouched then, and the call may be repeated.
 Result<Mended> Mend(const Partition& partition);
 
-// Faults as kaori-boot left them, a line each, after the mending: what it said of this partition is replaced by what has
-// become of it.
+// Faults as kaori-boot left them, a line each, after the mending: what it said of this partition is replaced
+// by what has become of it.
 std::string FaultsAfter(const std::string& faults, Mended mended);
 
 }  // namespace kaori::data

@@ -55,7 +55,8 @@ std::string Release(const gnutls_datum_t& datum) {
   return text;
 }
 
-// The first four bytes of the SHA-256 of the certificate's DER form, as browsers show it; 0 where it cannot be made.
+// The first four bytes of the SHA-256 of the certificate's DER form, as browsers show it; 0 where it cannot
+// be made.
 std::uint32_t MarkOf(gnutls_x509_crt_t crt) {
   std::array<std::uint8_t, 32> sum{};
   std::size_t size = sum.size();
@@ -138,7 +139,8 @@ Result<std::string> Make(const CertificateOptions& options) {
 
 }  // namespace
 
-// A file that cannot be read is logged and replaced: without its certificate the desk could not be used at all.
+// A file that cannot be read is logged and replaced: without its certificate the desk could not be used at
+// all.
 Result<OwnCertificate> LoadOrMakeCertificate(const std::filesystem::path& folder,
                                              const CertificateOptions& options) {
   const std::filesystem::path file = folder / "desk.pem";

@@ -1,5 +1,6 @@
 // The box's own certificate for HTTPS, which it makes at the first start and keeps. No authority signs it. A
-// visitor trusts it by comparing the fingerprint that the box's screen shows with the one that the browser shows.
+// visitor trusts it by comparing the fingerprint that the box's screen shows with the one that the browser
+// shows.
 #pragma once
 
 #include <cstdint>

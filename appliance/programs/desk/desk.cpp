@@ -17,7 +17,8 @@ using web::Request;
 
 // A page draws the mouth from the states: 16 a second look continuous.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(60);
-// An unchanged state is sent this often, since listeners that are gone are noticed only when something is sent.
+// An unchanged state is sent this often, since listeners that are gone are noticed only when something is
+// sent.
 constexpr Duration kKeepAlive = std::chrono::seconds(1);
 // How often the section is written anew where nothing has changed.
 constexpr Duration kCodePeriod = std::chrono::seconds(1);
@@ -30,7 +31,8 @@ constexpr std::string_view kCookie = "kaori-desk=";
 constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
                                                                  "/picture/mask"};
 
-// The session in a Cookie header, empty where there is none. A cookie whose name only ends like ours is another one.
+// The session in a Cookie header, empty where there is none. A cookie whose name only ends like ours is
+// another one.
 std::string SessionIn(std::string_view cookies) {
   const auto at = cookies.find(kCookie);
   if (at == std::string_view::npos || (at > 0 && cookies[at - 1] != ' ' && cookies[at - 1] != ';')) return {};
@@ -88,7 +90,8 @@ std::string Desk::address() const {
                      address_ >> 16 & 255U, address_ >> 8 & 255U, address_ & 255U, server_->port());
 }
 
-// Feeds are dismissed here, between two runs of the server, and never from within a request that it is handling.
+// Feeds are dismissed here, between two runs of the server, and never from within a request that it is
+// handling.
 void Desk::Step() {
   const Time now = clock_.now();
   lips_.Step(now);
@@ -211,7 +214,8 @@ Reply Desk::Hello(bool paired) {
   return {200, kJson, fmt::format("{{\"paired\":{}}}\n", paired)};
 }
 
-// The answers are the page's protocol: 204 with a cookie, 403 for a wrong code, 429 while all codes are refused.
+// The answers are the page's protocol: 204 with a cookie, 403 for a wrong code, 429 while all codes are
+// refused.
 Reply Desk::Pair(const Request& request) {
   std::string session;
   switch (pairing_.Try(request.body, session)) {

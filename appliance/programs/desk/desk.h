@@ -103,8 +103,8 @@ class Desk {
   std::string state_;
   Time state_at_{};
   Time code_at_{};
-  // Feeds are to be closed at the next step: a session has ended, and its feeds cannot be told apart from those
-  // of others, so that all are closed and the pages of the rest connect again.
+  // Feeds are to be closed at the next step: a session has ended, and its feeds cannot be told apart from
+  // those of others, so that all are closed and the pages of the rest connect again.
   bool dismiss_ = false;
   // IPv4 of the page's address, 0xC0A80001 for 192.168.0.1.
   std::uint32_t address_ = 0;

@@ -84,7 +84,8 @@ kaori::Result<void> AnnounceAddress(const std::string& file, const std::string& 
   return kaori::WriteWholeFile(file, {kaori::AsBytes(address + "\n")});
 }
 
-// READY=1 is told, and the address written, only when the port is open: a test that finds the file can connect.
+// READY=1 is told, and the address written, only when the port is open: a test that finds the file can
+// connect.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
   auto options = OptionsOf(settings);
   if (!options) return kaori::ExitWithError(options.error());

@@ -17,8 +17,9 @@ namespace kaori::desk {
 enum class Verdict : std::uint8_t { kAccepted, kWrongCode, kLocked };
 
 // A code is valid for five minutes and for one visitor; then there is another one. After five wrong codes
-// within a minute, by any visitors, all codes are refused until that minute is over. There are four sessions at
-// most, for eight hours each, in memory only; a fifth ends the oldest. Used by one thread. Borrows the clock.
+// within a minute, by any visitors, all codes are refused until that minute is over. There are four sessions
+// at most, for eight hours each, in memory only; a fifth ends the oldest. Used by one thread. Borrows the
+// clock.
 class Pairing {
  public:
   // Tests give random bytes of their own, and so know the code.

@@ -31,7 +31,8 @@ struct DeskFacts {
 // are when the picture that shows them is presented; the rest is lips::Report.
 std::string StateJson(const DeskFacts& facts);
 
-// Whether `accept_language`, the header as browsers send it, prefers Japanese to English. Pure; any text is safe.
+// Whether `accept_language`, the header as browsers send it, prefers Japanese to English. Pure; any text is
+// safe.
 bool PrefersJapanese(std::string_view accept_language);
 
 }  // namespace kaori::desk

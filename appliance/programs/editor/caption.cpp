@@ -54,7 +54,8 @@ std::string WorkLine(const Session& session, bool comparing) {
 
 }  // namespace
 
-// What went wrong comes first. While a name is typed nothing else is said, since no other key means anything then.
+// What went wrong comes first. While a name is typed nothing else is said, since no other key means anything
+// then.
 std::vector<std::string> CaptionLines(const CaptionFacts& facts) {
   std::vector<std::string> lines;
   if (!facts.trouble.empty()) lines.push_back("not on the disk: " + facts.trouble);

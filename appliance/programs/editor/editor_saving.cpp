@@ -63,7 +63,8 @@ void ExpressionEditor::Delete(Time now) {
   Did(session_.Rename(work.name, -1));
 }
 
-// The work counts as saved only now, as it was when it was written: an author who pulled on meanwhile has unsaved work.
+// The work counts as saved only now, as it was when it was written: an author who pulled on meanwhile has
+// unsaved work.
 void ExpressionEditor::HandleOutcomes() {
   for (const Outcome& outcome : writer_.DrainOutcomes()) {
     switch (outcome.kind) {

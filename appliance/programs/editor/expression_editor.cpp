@@ -243,8 +243,8 @@ void ExpressionEditor::ShowDraft() {
   renewed_.push_back({draft(), compared_ ? &session_.before() : &session_.work()});
 }
 
-// While the editor is open buttons and keys that call faces, styles and sheets are the performance's still, unless a
-// name is typed or the editor has a use for the key.
+// While the editor is open buttons and keys that call faces, styles and sheets are the performance's still,
+// unless a name is typed or the editor has a use for the key.
 bool ExpressionEditor::PlaysOn(const performance::Press& press, const Situation& now, bool typing) {
   const auto stays = [](show::CallKind kind) {
     return kind == show::CallKind::kFace || kind == show::CallKind::kStyle || kind == show::CallKind::kSheet;

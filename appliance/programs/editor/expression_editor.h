@@ -35,9 +35,10 @@ namespace kaori::editor {
 // Play, renewed(), the performance, Describe, drawing, Look.
 class ExpressionEditor {
  public:
-  // Appends the box's own expressions, and the one in work, to the show's cast: kSlots + 1 of them, empty or not,
-  // so that their number never changes. Takes up the work that an earlier session left in the journal. Logs what
-  // was found and what could not be read; without its folder the editor works in memory. Blocks for the disk.
+  // Appends the box's own expressions, and the one in work, to the show's cast: kSlots + 1 of them, empty or
+  // not, so that their number never changes. Takes up the work that an earlier session left in the journal.
+  // Logs what was found and what could not be read; without its folder the editor works in memory. Blocks for
+  // the disk.
   static std::unique_ptr<ExpressionEditor> Open(const std::filesystem::path& folder, show::Show& show);
   ~ExpressionEditor();
 
@@ -63,7 +64,8 @@ class ExpressionEditor {
   // `work` is borrowed from the editor and holds until the next Play.
   const std::vector<Renewed>& renewed() const { return renewed_; }
 
-  // Whether the author is at work; while it is false nothing but Tab and the keys of own expressions is the editor's.
+  // Whether the author is at work; while it is false nothing but Tab and the keys of own expressions is the
+  // editor's.
   bool open() const { return open_; }
   // Shuts it at once. The work stays as it is, and what is called in the show too.
   void Close() { open_ = false; }
@@ -106,7 +108,8 @@ class ExpressionEditor {
   void BeginFrom(std::uint16_t expression, const show::Show& show);
   // Says where an expression has a part that control points cannot hold, and that is lost by editing it.
   void WarnOfResidual(std::uint16_t expression, const show::Show& show);
-  // The expression of the cast as work without a name; of an own one the work itself, and nothing for an empty slot.
+  // The expression of the cast as work without a name; of an own one the work itself, and nothing for an
+  // empty slot.
   std::optional<Work> WorkOf(std::uint16_t expression, const show::Show& show) const;
   // editor_saving.cpp: names, slots and files.
   void Save(bool as_new);

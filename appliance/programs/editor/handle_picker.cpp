@@ -94,8 +94,9 @@ std::optional<std::size_t> HandlePicker::Next(std::size_t from, glm::vec2 direct
   return next;
 }
 
-// The way in metres, in the plane of the picture at the handle's depth, is taken back through the carrier of the
-// faces that are shown: pull = carrier^-1 way. A carrier that is flat (a face of no size there) gives no pull.
+// The way in metres, in the plane of the picture at the handle's depth, is taken back through the carrier of
+// the faces that are shown: pull = carrier^-1 way. A carrier that is flat (a face of no size there) gives no
+// pull.
 glm::vec3 HandlePicker::PullAlong(std::size_t handle, glm::vec2 step) const {
   if (!view_ || handle >= handles_.size()) return {};
   const glm::vec3 way_m = view_->AtDepthOf(handles_[handle].root_m, {2 * step.x, -2 * step.y});

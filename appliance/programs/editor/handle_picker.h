@@ -30,7 +30,8 @@ class HandlePicker {
   // enough to be meant.
   std::optional<std::size_t> Nearest(glm::vec2 position) const;
 
-  // The next visible handle from this one in a direction of the picture, right and up; none when there is none.
+  // The next visible handle from this one in a direction of the picture, right and up; none when there is
+  // none.
   std::optional<std::size_t> Next(std::size_t from, glm::vec2 direction) const;
 
   // The pull that takes the handle through the picture by `step` (parts of its width and height, right and
@@ -50,7 +51,8 @@ class HandlePicker {
     glm::vec2 head{};  // The same of its head.
     bool seen = false;
   };
-  // The matrix that takes a pull (u, v, outwards) to metres in the cast's frame, on the faces that were shown.
+  // The matrix that takes a pull (u, v, outwards) to metres in the cast's frame, on the faces that were
+  // shown.
   glm::mat3 CarrierOf(std::size_t handle) const;
 
   std::vector<std::vector<face::Frame>> frames_;  // Of each face.

@@ -34,7 +34,8 @@ bool History::Redo() {
   return true;
 }
 
-// From the step at which the work was begun to the last one that belongs to it, those that were undone included.
+// From the step at which the work was begun to the last one that belongs to it, those that were undone
+// included.
 void History::Rename(const Work& like) {
   std::size_t end = at_ + 1;
   while (end < steps_.size() && !steps_[end].fresh) ++end;

@@ -10,7 +10,8 @@
 namespace kaori::editor {
 
 // There is always a step: undoable() of them lie before it, redoable() after it. Steps are held whole: a step
-// is some kilobytes, and an evening has hundreds of them. References that it gives hold until the next change.
+// is some kilobytes, and an evening has hundreds of them. References that it gives hold until the next
+// change.
 class History {
  public:
   // Forgets all and begins with `work`.

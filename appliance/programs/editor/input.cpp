@@ -182,7 +182,8 @@ void EditorInput::ReadDials(Reading& reading, const performance::InputEvents& ev
   }
 }
 
-// As keys repeat: the first step at once, another after 0.45 s, and then one each 0.18 s while the stick is held.
+// As keys repeat: the first step at once, another after 0.45 s, and then one each 0.18 s while the stick is
+// held.
 void EditorInput::ReadStick(Reading& reading, const board::Stamped<board::Stick>& stick) {
   const glm::vec2 way{stick.value.x, stick.value.y};
   const float far = stick.source == board::SourceState::kLive ? glm::length(way) : 0.0F;

@@ -111,7 +111,8 @@ class EditorInput {
                    const board::Pointer& held);
   // Chooses the next handle in a direction of the picture.
   void Go(Reading& reading, glm::vec2 direction);
-  // The number of the gesture to which a movement of this control belongs now; a long rest begins another one.
+  // The number of the gesture to which a movement of this control belongs now; a long rest begins another
+  // one.
   Gesture GestureOf(int kind, Time now);
   void EndGesture() { gesture_kind_ = -1; }
 

@@ -15,7 +15,8 @@
 namespace kaori::editor {
 namespace {
 
-// The file begins with this and the fingerprint of the control points. The last letter is the format's version.
+// The file begins with this and the fingerprint of the control points. The last letter is the format's
+// version.
 constexpr std::array<char, 8> kMagic{'K', 'A', 'O', 'R', 'I', 'N', 'J', '1'};
 constexpr std::size_t kHeadBytes = kMagic.size() + sizeof(std::uint64_t);
 // More than any session writes; a journal that is larger is read to here and cut off.
@@ -29,7 +30,8 @@ std::array<std::uint8_t, kHeadBytes> HeadOf(std::uint64_t fingerprint) {
   return head;
 }
 
-// The lock keeps two editors from writing into one file. It belongs to the descriptor and ends with the process.
+// The lock keeps two editors from writing into one file. It belongs to the descriptor and ends with the
+// process.
 Result<UniqueFd> OpenLocked(const std::filesystem::path& file) {
   UniqueFd fd(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (!fd.valid()) return FailErrno("open " + file.string());

@@ -1,5 +1,6 @@
-// The journal: every change of a session, one after the other in a file, so that a crash loses next to nothing.
-// The file begins with eight bytes of magic and the fingerprint of the control points; record.h has the records.
+// The journal: every change of a session, one after the other in a file, so that a crash loses next to
+// nothing. The file begins with eight bytes of magic and the fingerprint of the control points; record.h has
+// the records.
 #pragma once
 
 #include <cstdint>

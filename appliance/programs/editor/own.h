@@ -7,7 +7,8 @@
 //   [expression.both]
 //   B2 = [0.1, 0.4, 0]
 //
-// Moves are [u, v, outwards] in centimetres; outwards from the middle of the face is positive u on both sides.
+// Moves are [u, v, outwards] in centimetres; outwards from the middle of the face is positive u on both
+// sides.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-// The box's own expressions: ten slots, each with its key, in memory as they are on the disk or will be. The cast
-// has kSlots expressions for them, whether they are filled or not; the editor renews those when a slot changes.
+// The box's own expressions: ten slots, each with its key, in memory as they are on the disk or will be. The
+// cast has kSlots expressions for them, whether they are filled or not; the editor renews those when a slot
+// changes.
 #pragma once
 
 #include <optional>

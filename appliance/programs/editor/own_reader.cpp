@@ -24,7 +24,8 @@ class Reader {
     work_.pulls_m.resize(points.size());
   }
 
-  // The file has the form of a show's expressions.toml with one expression, so that it can be copied there as it is.
+  // The file has the form of a show's expressions.toml with one expression, so that it can be copied there as
+  // it is.
   Result<Work> Read(const toml::Value& file) {
     const toml::Value* expressions = toml::Find(file, "expression");
     if (expressions == nullptr || expressions->list.size() != 1 ||
@@ -66,7 +67,8 @@ class Reader {
     work_.lids = {static_cast<float>((*lids)[0]), static_cast<float>((*lids)[1])};
   }
 
-  // A weighted sum of expressions of the show, as in its own recipes. Weights of more than 4 are a typing error.
+  // A weighted sum of expressions of the show, as in its own recipes. Weights of more than 4 are a typing
+  // error.
   void ReadFrom(const toml::Value& value) {
     if (value.kind != toml::Value::Kind::kTable) return Complain(value, "from must be a table");
     for (const auto& [name, share] : value.table) {

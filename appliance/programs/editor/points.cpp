@@ -103,7 +103,8 @@ Points PointsOf(const face::ControlNet& net) {
   return points;
 }
 
-// Of the names in their order: a journal holds pulls by number, which mean something for the same points only.
+// Of the names in their order: a journal holds pulls by number, which mean something for the same points
+// only.
 std::uint64_t Fingerprint(const Points& points) {
   std::string all;
   for (const std::string& name : points.names) all += name + '\n';

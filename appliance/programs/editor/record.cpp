@@ -21,7 +21,8 @@ bool CarriesWork(Change change) {
   return change != Change::kUndone && change != Change::kRedone;
 }
 
-// The machine's own byte order, which is little-endian wherever the box runs. A journal does not leave its box.
+// The machine's own byte order, which is little-endian wherever the box runs. A journal does not leave its
+// box.
 template <class T>
 void Put(std::vector<std::uint8_t>& into, const T& value) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(&value);

@@ -29,7 +29,8 @@ struct Decoded {
   std::size_t sound_bytes = 0;  // Up to the end of the last whole record.
 };
 
-// Reads as far as records are whole: one that was torn, and what follows it, is left out. Safe for any bytes. Pure.
+// Reads as far as records are whole: one that was torn, and what follows it, is left out. Safe for any bytes.
+// Pure.
 Decoded Decode(std::span<const std::uint8_t> bytes);
 
 }  // namespace kaori::editor

@@ -169,7 +169,8 @@ float Session::Yield(std::size_t point) const {
   return yield;
 }
 
-// Whether the work can be of these control points: their number, finite pulls, lids within 0..1, a slot that exists.
+// Whether the work can be of these control points: their number, finite pulls, lids within 0..1, a slot that
+// exists.
 bool Session::Fits(const Work& work) const {
   const auto within = [](float lid) { return lid >= 0 && lid <= 1; };
   return work.pulls_m.size() == points_.size() && std::ranges::all_of(work.pulls_m, Finite) &&

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kStoreMost_bytes = 1U << 20U;
 constexpr std::string_view kStoreAside = ".faulty";
 
-// "03-": the keys count from one. The name that follows is for people alone: only the number says which slot it is.
+// "03-": the keys count from one. The name that follows is for people alone: only the number says which slot
+// it is.
 std::string PrefixOf(int slot) {
   return fmt::format("{:02}-", slot + 1);
 }
@@ -47,7 +48,8 @@ int SlotOf(const fs::path& file) {
   return -1;
 }
 
-// Sorted, so that of two files for one slot the same one is read each time. A folder that is not there holds nothing.
+// Sorted, so that of two files for one slot the same one is read each time. A folder that is not there holds
+// nothing.
 std::vector<fs::path> FilesOf(const fs::path& folder) {
   std::vector<fs::path> files = ListFolder(folder).value_or(std::vector<fs::path>{});
   std::erase_if(files, [](const fs::path& file) { return SlotOf(file) < 0; });

@@ -23,8 +23,9 @@ struct Stored {
 };
 
 // Reads all files NN-NAME.toml; blocks for the disk. One with a fault, or without a free slot, is renamed to
-// FILE.faulty, and the others are read. One that was renamed comes back when it has no fault any more: it was mended,
-// or made for the show that plays again. A folder that is not there holds nothing. Files are of 1 MB at most.
+// FILE.faulty, and the others are read. One that was renamed comes back when it has no fault any more: it was
+// mended, or made for the show that plays again. A folder that is not there holds nothing. Files are of 1 MB
+// at most.
 Stored ReadStore(const std::filesystem::path& folder, const Points& points, const face::Cast& cast);
 
 // Writes the file of work.slot whole or not at all, and removes others of the same slot; blocks for the disk.

@@ -1,4 +1,5 @@
-// An expression that an author is working on. A plain value: it is copied into the history, the journal and the files.
+// An expression that an author is working on. A plain value: it is copied into the history, the journal and
+// the files.
 #pragma once
 
 #include <array>

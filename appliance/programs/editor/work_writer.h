@@ -1,5 +1,6 @@
-// Writes what the editor wants kept, on a thread of its own: no frame waits for a disk. The stage's thread hands
-// over values and asks for outcomes; the lock between the two threads is never held while a disk is waited for.
+// Writes what the editor wants kept, on a thread of its own: no frame waits for a disk. The stage's thread
+// hands over values and asks for outcomes; the lock between the two threads is never held while a disk is
+// waited for.
 #pragma once
 
 #include <array>
@@ -33,10 +34,12 @@ class WorkWriter {
   WorkWriter(const WorkWriter&) = delete;
   WorkWriter& operator=(const WorkWriter&) = delete;
 
-  // For the journal: `change` led to `work`. Changes of one gesture that were not written yet become one record.
+  // For the journal: `change` led to `work`. Changes of one gesture that were not written yet become one
+  // record.
   void Note(Change change, const Work& work);
 
-  // Writes the file of work.slot, or removes it. A later request for the same slot replaces one that was not done yet.
+  // Writes the file of work.slot, or removes it. A later request for the same slot replaces one that was not
+  // done yet.
   void Save(const Work& work);
   // Both return at once; an outcome tells what became of it.
   void Remove(const Work& work);

@@ -1,5 +1,5 @@
-// kaori-fdkeeper: keeps the graphics card's file open while no stage runs, so that the last picture stays on the
-// screen: the kernel clears a screen when the last file of its card is closed.
+// kaori-fdkeeper: keeps the graphics card's file open while no stage runs, so that the last picture stays on
+// the screen: the kernel clears a screen when the last file of its card is closed.
 //
 // One thread. It holds the descriptor and nothing else, does not look at the card, and has no rights but its
 // socket. Should it end too, the service manager still has the descriptor (FDSTORE=1 of sd_notify) and gives

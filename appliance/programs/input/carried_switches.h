@@ -11,8 +11,9 @@
 namespace kaori::input {
 
 // A decoder counts pushes from 0 at each plug, and the board counts them since the board began. This class
-// adds up the difference. A switch that was held when the program died, and still is when the program is back,
-// was pushed once, not twice. `kWords` is the number of 32-bit words of switches. A plain value; one thread.
+// adds up the difference. A switch that was held when the program died, and still is when the program is
+// back, was pushed once, not twice. `kWords` is the number of 32-bit words of switches. A plain value; one
+// thread.
 template <std::size_t kWords>
 class CarriedSwitches {
  public:
@@ -25,8 +26,8 @@ class CarriedSwitches {
     sampled_ = false;
   }
 
-  // Adds what happened between the last sample and `now`. Calls `pressed(n)` once for each press of switch n, with
-  // `down` as it is now.
+  // Adds what happened between the last sample and `now`. Calls `pressed(n)` once for each press of switch n,
+  // with `down` as it is now.
   template <class Pressed>
   void Accept(const decode::Switches<kWords>& now, Pressed pressed) {
     const Down before = std::exchange(down, now.down);

@@ -15,7 +15,8 @@ namespace {
 // and all other input waits with it: three tries per plug are enough.
 constexpr int kMaxLampFailures = 3;
 constexpr Duration kLampRetry = std::chrono::seconds(5);
-// Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see them.
+// Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see
+// them.
 constexpr Duration kRepaint = std::chrono::seconds(1);
 // Of one key's JPEG; ReadFile refuses a larger file, and the key stays as it is.
 constexpr std::size_t kMostPictureBytes = 64UL * 1024;
@@ -26,8 +27,8 @@ DialSlot::DialSlot(const board::Board& board, SurfaceSection& section, std::size
                    const std::vector<SurfaceMap>& maps)
     : board_(board), section_(section), device_(device), maps_(maps) {}
 
-// The first position that a wrapping dial reports counts as no turn: a plug does not move a dial. A box that was just plugged
-// in has all lamps dark, so that lit_ is unknown.
+// The first position that a wrapping dial reports counts as no turn: a plug does not move a dial. A box that
+// was just plugged in has all lamps dark, so that lit_ is unknown.
 Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   const SurfaceMap* const map = MapFor(maps_, identity.vendor, identity.product);
   auto decoder =
@@ -47,8 +48,8 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   return {};
 }
 
-// The decoder's counts wrap at 32 bits: their difference is taken without a sign, so that a wrap is a step and
-// no leap. Where several buttons of the device are one of the board's, each of them holds it down and all
+// The decoder's counts wrap at 32 bits: their difference is taken without a sign, so that a wrap is a step
+// and no leap. Where several buttons of the device are one of the board's, each of them holds it down and all
 // pushes count.
 Result<void> DialSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);

@@ -19,8 +19,8 @@ namespace kaori::input {
 // plugged in again goes on where its dials stood on the board.
 class DialSlot final : public DeviceSlot {
  public:
-  // Borrows all of them; they outlive the slot. `device` is its number in the section. The section Lamps of the board is what
-  // the device shows.
+  // Borrows all of them; they outlive the slot. `device` is its number in the section. The section Lamps of
+  // the board is what the device shows.
   DialSlot(const board::Board& board, SurfaceSection& section, std::size_t device,
            const std::vector<SurfaceMap>& maps);
 
@@ -34,8 +34,8 @@ class DialSlot final : public DeviceSlot {
  private:
   // What the device's own dial turned, as counts of the board's.
   void Turn(std::size_t dial, std::int32_t counts, Time at);
-  // Sends one output report where the lamps on the board differ from those that the box was last told, and one
-  // each second.
+  // Sends one output report where the lamps on the board differ from those that the box was last told, and
+  // one each second.
   void ShowLamps(Time now, ports::HidChannel& device);
   // Reads the pictures of a Stream Deck's keys, and sends one page of them at each tick.
   void LoadPictures(const ports::HidIdentity& identity);
@@ -48,7 +48,8 @@ class DialSlot final : public DeviceSlot {
   const SurfaceMap usual_;  // Of a device that no file names.
   const SurfaceMap* map_ = &usual_;
   std::optional<decode::DialBoxDecoder> decoder_;
-  // Counts of the decoder that the section has, and parts of a count that are left over, both by the device's dial.
+  // Counts of the decoder that the section has, and parts of a count that are left over, both by the device's
+  // dial.
   std::array<std::int32_t, decode::kMaxDials> passed_on_{};
   std::array<std::int64_t, decode::kMaxDials> rests_{};
   std::optional<std::uint32_t> lit_;  // As the box was last told; empty after a plug, when all are dark.

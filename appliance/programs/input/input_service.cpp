@@ -25,7 +25,8 @@ constexpr Duration kRetry = milliseconds(250);
 // A device that the program had open before a restart is found again within this time, or it is gone.
 constexpr Duration kFindTime = milliseconds(500);
 constexpr int kFaultsToDetach = 64;  // One failed transfer is harmless; this many in a row are a dead device.
-// A device that is gone sooner than this after its plug has a loose cable, and must not keep the program busy.
+// A device that is gone sooner than this after its plug has a loose cable, and must not keep the program
+// busy.
 constexpr Duration kLoosePlug = milliseconds(10);
 constexpr Duration kOldestReport = milliseconds(1000);  // An older time of arrival is a fault of the device.
 // Index of the left stick among the bindings; the right one follows.
@@ -101,8 +102,8 @@ void InputService::Step() {
   lines_.SetTally(TallyLit(board_.Read<board::StageStatus>(), board_.Read<board::Lines>(), now));
 }
 
-// Listing ports costs system calls for each of them, so that it is done only for a bus that has news, and for all of them
-// when a port waits to be tried again or when a slot has become free.
+// Listing ports costs system calls for each of them, so that it is done only for a bus that has news, and for
+// all of them when a port waits to be tried again or when a slot has become free.
 void InputService::Scan(Time now) {
   const bool all =
       scan_now_ || (now >= next_scan_ && (std::ranges::any_of(skipped_, &SkippedPort::try_again) ||
@@ -112,8 +113,9 @@ void InputService::Scan(Time now) {
     if (all || (!buses_[bus].failed() && Readable(buses_[bus].bus->pollable()))) ScanBus(bus, now);
 }
 
-// Ports are tried in the order of PortBefore, so that two equal sticks get their roles by their ports and not by
-// which answers first. What was skipped is forgotten when its port is empty: the next device there is another one.
+// Ports are tried in the order of PortBefore, so that two equal sticks get their roles by their ports and not
+// by which answers first. What was skipped is forgotten when its port is empty: the next device there is
+// another one.
 void InputService::ScanBus(std::size_t bus, Time now) {
   auto ports = buses_[bus].bus->Ports();
   if (!ports) return HandleBusError(buses_[bus], ports.error());
@@ -157,7 +159,8 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
   Attach(*binding, port, std::move(*device), now);
 }
 
-// Where the slot cannot decode the device it stays empty for the next one, and the port is skipped until it is empty.
+// Where the slot cannot decode the device it stays empty for the next one, and the port is skipped until it
+// is empty.
 void InputService::Attach(Binding& binding, const BusPort& port, std::unique_ptr<ports::HidChannel> device,
                           Time now) {
   if (auto plugged = binding.slot->Plug(device->identity(), now); !plugged)
@@ -227,7 +230,8 @@ void InputService::ReadReports(Binding& binding, Time now) {
   binding.slot->Publish();
 }
 
-// A transfer that failed once is harmless on USB. ENODEV is final, and so are kFaultsToDetach others in a row.
+// A transfer that failed once is harmless on USB. ENODEV is final, and so are kFaultsToDetach others in a
+// row.
 void InputService::HandleReadError(Binding& binding, const Error& error, Time now) {
   if (error.cause == std::errc::resource_unavailable_try_again) return;
   const bool gone = error.cause == std::errc::no_such_device || ++binding.faults == kFaultsToDetach;

@@ -16,7 +16,8 @@ namespace kaori::input {
 inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 
 // Used by one thread. It starts from what the section holds: a line that was active before a restart and
-// still is counts as one push, and a foot switch calls GO then. Lines that are absent or were lost are opened again every second.
+// still is counts as one push, and a foot switch calls GO then. Lines that are absent or were lost are opened
+// again every second.
 class LineInputs {
  public:
   // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
@@ -25,11 +26,12 @@ class LineInputs {
   LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
              ports::GpioOpener open, std::uint32_t wired = board::kEveryLine);
 
-  // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip needs.
+  // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip
+  // needs.
   void Step(Time now);
 
-  // Switches the tally lamp, output 0, where one is wired; one that cannot be switched just now is switched by a
-  // later call. A lamp that fails otherwise is ignored.
+  // Switches the tally lamp, output 0, where one is wired; one that cannot be switched just now is switched
+  // by a later call. A lamp that fails otherwise is ignored.
   void SetTally(bool lit);
 
   // The descriptor that is readable when an edge waits; -1 while no lines are open.

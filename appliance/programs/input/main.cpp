@@ -151,7 +151,8 @@ kaori::Result<void> AddDials(const std::string& text, const kaori::Clock& clock,
   return Add(kaori::gpio::DialBus::Open(open, clock), buses);
 }
 
-// A bus of real devices and the simulator's may run side by side: a desk with a real keyboard and simulated dials.
+// A bus of real devices and the simulator's may run side by side: a desk with a real keyboard and simulated
+// dials.
 kaori::Result<Buses> OpenBuses(const Settings& settings, int counts_per_turn, const kaori::Clock& clock) {
   Buses buses;
   kaori::Result<void> ok;
@@ -188,7 +189,8 @@ kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
   return wiring;
 }
 
-// All of them where no chip is asked for: the simulator has every line. A text that is wrong is told of where the lines are opened.
+// All of them where no chip is asked for: the simulator has every line. A text that is wrong is told of where
+// the lines are opened.
 std::uint32_t WiredLines(const Settings& settings) {
   const auto roles = kaori::input::ParseLineRoles(settings.lines);
   if (settings.chip.empty() || !roles) return kaori::board::kEveryLine;

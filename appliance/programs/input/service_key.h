@@ -1,5 +1,5 @@
-// Tells the service manager of the key switch: a file that is there while the key is on. Units that are for service
-// alone start by it, and udev lets sticks in by it.
+// Tells the service manager of the key switch: a file that is there while the key is on. Units that are for
+// service alone start by it, and udev lets sticks in by it.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,8 @@ class ServiceKey {
   ServiceKey(const ServiceKey&) = delete;
   ServiceKey& operator=(const ServiceKey&) = delete;
 
-  // Makes or removes the file where the key has been turned. A chip that is gone counts as a key that is off. A file
-  // that cannot be made is logged once.
+  // Makes or removes the file where the key has been turned. A chip that is gone counts as a key that is off.
+  // A file that cannot be made is logged once.
   void Step(const board::Stamped<board::Lines>& lines);
 
  private:

@@ -25,7 +25,8 @@ class Reading {
   Reading(std::string path, const toml::Value& file) : path_(std::move(path)), file_(file) {}
 
   // Each reads one key of a table such as "stick.left" into `into`, which keeps its value where the key is
-  // missing. Both ends of a range are allowed. Kinds are those of TOML: a whole number is written without quotes.
+  // missing. Both ends of a range are allowed. Kinds are those of TOML: a whole number is written without
+  // quotes.
   void Number(std::string_view table, std::string_view key, float& into, float low, float high) {
     const toml::Value* value = Find(table, key, toml::Value::Kind::kNumber);
     if (value == nullptr) return;

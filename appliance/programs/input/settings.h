@@ -25,7 +25,8 @@ struct InputSettings {
   std::array<std::string, kSticks> stick_ports;  // Left, right; empty: see StickRoles.
   // Left, right: dead zone, reach and curve, as parts of the way from the middle to the end.
   std::array<decode::StickSettings, kSticks> sticks;
-  // The button, counted from 1, that is pushed while nobody touches the stick: where it rests is its centre. 0: none.
+  // The button, counted from 1, that is pushed while nobody touches the stick: where it rests is its centre.
+  // 0: none.
   std::array<int, kSticks> centre_buttons{};
 };
 
@@ -49,10 +50,10 @@ struct BoxSettings {
   std::string fault{};  // One line that names file, line and what counts instead; empty: nothing is wrong.
 };
 
-// Reads the sections above from a box's settings (box.toml); other sections are other programs' business. A sound file
-// is kept as `last_good`, whole or not at all; of a faulty one nothing is believed, and the last good one counts, or
-// else the defaults. A file that is missing stands for the defaults. Blocks for the disk. Nothing of it fails: hands
-// play a box with bad settings.
+// Reads the sections above from a box's settings (box.toml); other sections are other programs' business. A
+// sound file is kept as `last_good`, whole or not at all; of a faulty one nothing is believed, and the last
+// good one counts, or else the defaults. A file that is missing stands for the defaults. Blocks for the disk.
+// Nothing of it fails: hands play a box with bad settings.
 BoxSettings ReadBoxSettings(const std::string& file, const std::string& last_good);
 
 }  // namespace kaori::input

@@ -45,7 +45,8 @@ Result<void> StickSlot::Plug(const ports::HidIdentity& identity, Time now) {
   if (stick_.value.port != port) stick_.value.centres = {};  // This is another stick.
   decoder_->SetCentres(stick_.value.centres);
   stick_.value.port = port;
-  // Absent: the stick never moved, so neutral is right. Live: the program restarted and goes on. Stale: see the class.
+  // Absent: the stick never moved, so neutral is right. Live: the program restarted and goes on. Stale: see
+  // the class.
   Write(now, stick_.source == SourceState::kAbsent ? SourceState::kLive : stick_.source);
   return {};
 }

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 // from 1.
 constexpr int kMostMidi = 127;
 constexpr int kMidiChannels = 16;
-// The most that repaint_s may be: for so long a lamp may stay wrong on a surface that forgets what it was told.
+// The most that repaint_s may be: for so long a lamp may stay wrong on a surface that forgets what it was
+// told.
 constexpr double kLongestRepaint_s = 60;
 
 // Hexadecimal digits, all of them.

@@ -41,9 +41,9 @@ struct SurfaceMap {
   SurfaceMap();
 };
 
-// Reads every .toml file of a folder, in the order of their names. Returns everything that is wrong, as "file:line: item: reason"
-// each; the maps of files without a fault are usable all the same. A device that two files name is a fault of the second one.
-// Blocks for the disk.
+// Reads every .toml file of a folder, in the order of their names. Returns everything that is wrong, as
+// "file:line: item: reason" each; the maps of files without a fault are usable all the same. A device that
+// two files name is a fault of the second one. Blocks for the disk.
 std::vector<std::string> ReadSurfaceMaps(const std::filesystem::path& folder, std::vector<SurfaceMap>& maps);
 
 // Null where no file names the device.

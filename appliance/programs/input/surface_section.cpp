@@ -26,8 +26,8 @@ void SurfaceSection::Plug(std::size_t device, Time now) {
   Write();
 }
 
-// A section that was never live stays absent: there never was a box. A device that never came changes nothing for the others,
-// but for what it held before the program began.
+// A section that was never live stays absent: there never was a box. A device that never came changes nothing
+// for the others, but for what it held before the program began.
 void SurfaceSection::Unplug(std::size_t device, Time now) {
   const bool held = devices_[device].buttons.down[0] != 0;
   devices_[device].buttons.Release();
@@ -47,8 +47,8 @@ void SurfaceSection::Turn(std::size_t dial, std::int32_t counts, Time at) {
   changed_ = true;
 }
 
-// Each push goes to the log as well, with its time: counts alone do not say in which order buttons were pushed
-// between two looks of a reader.
+// Each push goes to the log as well, with its time: counts alone do not say in which order buttons were
+// pushed between two looks of a reader.
 void SurfaceSection::Switch(std::size_t device, const decode::Switches<1>& now, Time at) {
   devices_[device].buttons.Accept(now, [&](std::size_t button) {
     ++surface_.value.pushes[button];

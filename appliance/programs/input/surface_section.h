@@ -10,8 +10,9 @@
 
 namespace kaori::input {
 
-// Turns of all devices add up, a button is held while one of them holds it, and pushes of each count. It goes on from what the
-// board holds, over plugs and restarts: buttons that were held then count as the first device's. One thread.
+// Turns of all devices add up, a button is held while one of them holds it, and pushes of each count. It goes
+// on from what the board holds, over plugs and restarts: buttons that were held then count as the first
+// device's. One thread.
 class SurfaceSection {
  public:
   // The board is not kept. `devices` is how many there may be; they are called by their numbers.
@@ -20,8 +21,8 @@ class SurfaceSection {
 
   int counts_per_turn() const { return surface_.value.counts_per_turn; }
 
-  // A device comes: the section is live from here on. Or it goes: what it held is let go, and without another one the section
-  // is stale. Both publish.
+  // A device comes: the section is live from here on. Or it goes: what it held is let go, and without another
+  // one the section is stale. Both publish.
   void Plug(std::size_t device, Time now);
   void Unplug(std::size_t device, Time now);
 

@@ -6,9 +6,10 @@
 
 namespace kaori::input {
 
-// Whether the lamp is lit: the stage shows frames and no blackout is on. A stage is taken for dead when its last
-// frame is older than one second plus four times its usual drawing time. Pure. Lines that are absent or stale
-// have no blackout on. A stage that plays unseen writes no status, so that the lamp goes out with the screen.
+// Whether the lamp is lit: the stage shows frames and no blackout is on. A stage is taken for dead when its
+// last frame is older than one second plus four times its usual drawing time. Pure. Lines that are absent or
+// stale have no blackout on. A stage that plays unseen writes no status, so that the lamp goes out with the
+// screen.
 bool TallyLit(const board::Stamped<board::StageStatus>& stage, const board::Stamped<board::Lines>& lines,
               Time now);
 

@@ -31,7 +31,8 @@ constexpr float kLevelsPerThousandth = 0.255F;
 constexpr float kSpillPart = 0.45F;  // Of the paint's tint; less is the paint's reflection on skin.
 constexpr float kMinSpill = 60, kMaxSpill = 160;
 
-// An operator does not quite reach the extreme of a held pose again, so that a little less counts as all of it.
+// An operator does not quite reach the extreme of a held pose again, so that a little less counts as all of
+// it.
 constexpr float kShutSlack = 0.03F;
 // Of the way from rest to the extreme, or of the height.
 constexpr float kShortOf = 0.95F;
@@ -51,7 +52,8 @@ struct Patch {
   std::vector<float> y, cb, cr;
 };
 
-// (x, y) is a sample of chroma. Chroma may be coarser than luma, which is read at the same place of the picture.
+// (x, y) is a sample of chroma. Chroma may be coarser than luma, which is read at the same place of the
+// picture.
 Patch Around(const decode::Planes& planes, int x, int y, int half) {
   Patch patch;
   const decode::Plane& c = planes.cb;
@@ -66,7 +68,8 @@ Patch Around(const decode::Planes& planes, int x, int y, int half) {
   return patch;
 }
 
-// The sRGB colour by ITU-R BT.601. Where none has this chroma at this luma, the luma changes and never the hue.
+// The sRGB colour by ITU-R BT.601. Where none has this chroma at this luma, the luma changes and never the
+// hue.
 Paint PaintOf(float y, float cb, float cr, bool full_range) {
   if (!full_range) {
     y = (y - 16) * 255 / 219;
@@ -83,7 +86,8 @@ Paint PaintOf(float y, float cb, float cr, bool full_range) {
   return {level(rgb[0]), level(rgb[1]), level(rgb[2])};
 }
 
-// The medians of a patch, and how far half of its samples (spread) and nearly all of them (away) lie from them.
+// The medians of a patch, and how far half of its samples (spread) and nearly all of them (away) lie from
+// them.
 struct Colour {
   float y = 0, cb = 0, cr = 0;
   float spread = 0;
@@ -131,7 +135,8 @@ void Calibration::Begin(CalibrationStep step) {
   measurement_ = Measurement{step, {}, {}, {}, {}, {}};
 }
 
-// A gap between two frames counts as 200 ms at most, so that a camera that stutters does not end a step by itself.
+// A gap between two frames counts as 200 ms at most, so that a camera that stutters does not end a step by
+// itself.
 bool Calibration::Feed(const board::Lips& lips, Time at) {
   if (!measurement_ || !board::IsLearnable(lips) || lips.rest_width <= 0) return false;
   if (measurement_->last)

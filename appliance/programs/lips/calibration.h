@@ -54,7 +54,8 @@ class Calibration {
   std::optional<CalibrationStep> step() const;
   float progress() const;  // Of the step that is under way, 0 .. 1; 0 without one.
 
-  // Sets values directly. All calls of one gesture, such as the drag of a slider, are one change; 0 is no gesture.
+  // Sets values directly. All calls of one gesture, such as the drag of a slider, are one change; 0 is no
+  // gesture.
   void Set(const LipSettings& to, std::uint32_t gesture = 0);
 
   // Undoes the newest change. Returns false where there is none.

@@ -14,7 +14,8 @@
 
 namespace kaori::lips {
 
-// The luma, 0 black to 1 white, that the brightest tenth of a picture has at least. A lit face fills more than that.
+// The luma, 0 black to 1 white, that the brightest tenth of a picture has at least. A lit face fills more
+// than that.
 float BrightnessOf(const decode::Planes& planes);
 
 // A camera that was opened finds its exposure and colours by itself at first. Where its pictures stay too
@@ -31,8 +32,9 @@ class CameraExposure {
   // Call it after the camera was opened.
   void Opened();
 
-  // Examines a picture. Returns true where the camera must be opened again: it will be slower and see more. The
-  // planes are borrowed for the call. To be called with every picture; it looks at none while exposure is held.
+  // Examines a picture. Returns true where the camera must be opened again: it will be slower and see more.
+  // The planes are borrowed for the call. To be called with every picture; it looks at none while exposure is
+  // held.
   bool Observe(const decode::Planes& planes, Time now);
 
   // Free() lets the camera adjust itself for a calibration, and Hold() ends that. Freed this way it stays

@@ -74,7 +74,8 @@ std::optional<Contour> ContourReader::Read(const decode::Planes& planes, const G
   return contour;
 }
 
-// Finds where the paint begins and ends in each row and column of its box. Only runs of the candidate's own regions count.
+// Finds where the paint begins and ends in each row and column of its box. Only runs of the candidate's own
+// regions count.
 bool ContourReader::Frame(const Grid& grid, Regions& regions, const Candidate& candidate) {
   const Region& mouth = candidate.mouth;
   reach_ = std::max(kMargin, mouth.width() / 12);

@@ -66,7 +66,8 @@ class ContourReader {
 
   // Where the paint begins and ends in each row and column of its box, to a sample.
   bool Frame(const Grid& grid, Regions& regions, const Candidate& candidate);
-  // How much paint each sample of the box has, on the line between the mean colours; false where the two hardly differ.
+  // How much paint each sample of the box has, on the line between the mean colours; false where the two
+  // hardly differ.
   bool ReadPatch(const decode::Planes& planes, const Grid& grid);
   // The finer edges, as points of the picture.
   void FindEdges(const Grid& grid);

@@ -55,7 +55,8 @@ Result<std::optional<LipSettings>> ReadOne(const fs::path& file) {
   });
 }
 
-// A file that is missing leaves `into` empty and is no complaint; one that cannot be read leaves it as it was.
+// A file that is missing leaves `into` empty and is no complaint; one that cannot be read leaves it as it
+// was.
 void ReadInto(const fs::path& file, std::optional<LipSettings>& into, std::string& complaint) {
   const auto read = ReadOne(file);
   if (read)
@@ -85,7 +86,8 @@ LipSettings SettingsFrom(const fs::path& file) {
   return kept.before.value_or(LipSettings{});
 }
 
-// The older generation is whole before the newer one is touched, so that one of the two can be read at any time.
+// The older generation is whole before the newer one is touched, so that one of the two can be read at any
+// time.
 Result<void> WriteGeneration(const fs::path& file, const LipSettings& settings) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);

@@ -45,7 +45,8 @@ class LipReader {
   // The meter with the newest picture's results, for a calibration.
   const LipMeter& meter() const { return meter_; }
 
-  // The descriptor of the open camera; -1 while none is open. Another camera may have the same number: see opened().
+  // The descriptor of the open camera; -1 while none is open. Another camera may have the same number: see
+  // opened().
   int pollable() const { return camera_ ? camera_->pollable() : -1; }
   int opened() const { return opened_; }  // How often a camera was opened.
 

@@ -24,7 +24,8 @@ struct Extents {
 
 // How measured sizes become the board's.
 struct GaugeSettings {
-  // The width of the mouth at rest, in widths of the picture. 0: the board's, or else the median of the first second.
+  // The width of the mouth at rest, in widths of the picture. 0: the board's, or else the median of the first
+  // second.
   float rest_width = 0;
   // Of height, width and opening alike.
   OneEuroSettings smoothing;
@@ -35,7 +36,8 @@ struct GaugeSettings {
 // What the desk may change about the voice while it is heard.
 struct VoiceSettings {
   float opens_db = -38;  // Of full scale. Louder sound counts as a voice.
-  // From the microphone to the loudspeaker. -1: as long as it takes until a picture of the mouth is presented.
+  // From the microphone to the loudspeaker. -1: as long as it takes until a picture of the mouth is
+  // presented.
   float sound_delay_ms = -1;
   friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };

@@ -11,7 +11,8 @@ class LipWatch {
  public:
   LipWatch(LipReader& reader, EventLoop& loop) : reader_(reader), loop_(loop) {}
 
-  // Runs a step of the reader, and watches the camera that is open afterwards; another camera has another descriptor.
+  // Runs a step of the reader, and watches the camera that is open afterwards; another camera has another
+  // descriptor.
   void Step();
 
  private:

@@ -203,7 +203,8 @@ void MouthGauge::Show(const Detection& detection, const Sizes& sizes, Time at) {
                    lift(contour.left)};  // The operator's left is at the picture's right.
 }
 
-// Runs until the width is known, and again when a marker is first seen. Medians, since somebody may speak in that second.
+// Runs until the width is known, and again when a marker is first seen. Medians, since somebody may speak in
+// that second.
 void MouthGauge::LearnRest(const Sizes& sizes, Time at) {
   if (lips_.rest_width > 0 && (lips_.rest_marker > 0 || sizes.marker <= 0)) return;
   if (!learning_) learning_ = Learning{at, {}, {}, {}};

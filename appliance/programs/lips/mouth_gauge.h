@@ -18,7 +18,8 @@
 
 namespace kaori::lips {
 
-// The mouth that was detected in a frame, with what its quality depends on. It is of one picture and borrows nothing.
+// The mouth that was detected in a frame, with what its quality depends on. It is of one picture and borrows
+// nothing.
 struct Detection {
   // Sizes and positions in pixels of the picture.
   Contour contour;
@@ -34,7 +35,8 @@ struct Detection {
 // proportions of the mouth at rest in another size. Pure: time is in the arguments.
 class MouthGauge {
  public:
-  // Goes on from `before`: its rest width where that is known, its frame count, and its sizes until paint is seen.
+  // Goes on from `before`: its rest width where that is known, its frame count, and its sizes until paint is
+  // seen.
   explicit MouthGauge(const board::Lips& before, const GaugeSettings& settings = {});
 
   // Measures a frame's mouth. Without one the sizes stay and the quality is 0. What it gives holds until the
@@ -86,7 +88,8 @@ class MouthGauge {
   float rest_height_ = 0.25F;  // In widths of the mouth at rest.
   // The tilt as followed so far, within 0.7 rad each way.
   float tilt_rad_ = 0;
-  // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head is slow.
+  // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head
+  // is slow.
   struct UpperPart {
     // Those of the last frame.
     float marker = 0, height = 0;

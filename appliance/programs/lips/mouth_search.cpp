@@ -53,8 +53,9 @@ float Likeness(const Region& region, const Grid& grid) {
   return (odd ? kUnlikely : 1.0F) * (IsCut(region, grid) ? kCut : 1.0F);
 }
 
-// The other lip lies above or below the larger one, with its middle within the sides of that, no farther than a
-// mouth opens. A narrow part must touch the larger one, as a corner of the lip does that a highlight has cut off.
+// The other lip lies above or below the larger one, with its middle within the sides of that, no farther than
+// a mouth opens. A narrow part must touch the larger one, as a corner of the lip does that a highlight has
+// cut off.
 bool BelongsTo(const Region& part, const Region& mouth, const Grid& grid) {
   if (IsCut(part, grid) || part.width() * 2 > mouth.width() * 3) return false;  // This is a shirt.
   const float middle = MiddleX(part);

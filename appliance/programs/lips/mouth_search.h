@@ -22,7 +22,8 @@ struct Candidate {
 // ones. Used by one thread; allocates nothing once it has seen a few pictures.
 class MouthSearch {
  public:
-  // `marker` says whether the operator wears a dot of the same paint on nose or forehead. Only then is a dot looked for.
+  // `marker` says whether the operator wears a dot of the same paint on nose or forehead. Only then is a dot
+  // looked for.
   explicit MouthSearch(bool marker = false) : wants_marker_(marker) {}
 
   // Forgets the last position, which means nothing in pictures of another size.

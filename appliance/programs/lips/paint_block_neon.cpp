@@ -1,5 +1,5 @@
-// The key with NEON, which every 64-bit ARM processor has: sixteen samples at a time, in numbers of 16 bits. What is said of
-// sums in paint_block_avx2.cpp holds here too.
+// The key with NEON, which every 64-bit ARM processor has: sixteen samples at a time, in numbers of 16 bits.
+// What is said of sums in paint_block_avx2.cpp holds here too.
 #include "appliance/programs/lips/paint_block.h"
 
 #if defined(__aarch64__)
@@ -21,7 +21,8 @@ int16x8_t Widened(uint8x8_t bytes) {
   return vreinterpretq_s16_u16(vmovl_u8(bytes));
 }
 
-// Positive or 0 within the half plane. The offset takes up that bytes are not centred: normal . (c - 128) + offset.
+// Positive or 0 within the half plane. The offset takes up that bytes are not centred: normal . (c - 128) +
+// offset.
 int16x8_t SideOfEight(const HalfPlane& half, int16x8_t cb, int16x8_t cr) {
   const auto offset = static_cast<std::int16_t>(half.offset - 128 * (half.cb + half.cr));
   const int16x8_t sum = vmlaq_n_s16(vmulq_n_s16(cb, static_cast<std::int16_t>(half.cb)), cr,
@@ -29,7 +30,8 @@ int16x8_t SideOfEight(const HalfPlane& half, int16x8_t cb, int16x8_t cr) {
   return vqaddq_s16(sum, vdupq_n_s16(offset));
 }
 
-// All bits of a sample's byte are set where it is paint: the or of three sums is negative where one of them is.
+// All bits of a sample's byte are set where it is paint: the or of three sums is negative where one of them
+// is.
 uint8x8_t PaintOfEight(const Wedge& wedge, uint8x8_t cb_bytes, uint8x8_t cr_bytes) {
   const int16x8_t cb = Widened(cb_bytes);
   const int16x8_t cr = Widened(cr_bytes);

@@ -13,7 +13,8 @@ __m128i Load(const std::uint8_t* at) {
   return _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
 }
 
-// Cb and Cr side by side as 16-bit numbers, as the instruction that multiplies and adds pairs (pmaddwd) needs them.
+// Cb and Cr side by side as 16-bit numbers, as the instruction that multiplies and adds pairs (pmaddwd) needs
+// them.
 class Sides {
  public:
   // As in SidesOf of the AVX2 form: the offset takes up that samples are bytes around 128.
@@ -26,7 +27,8 @@ class Sides {
     }
   }
 
-  // A sample is paint where it lies on no negative side, which means that the bitwise or of the three sums is positive.
+  // A sample is paint where it lies on no negative side, which means that the bitwise or of the three sums is
+  // positive.
   std::uint64_t Outside(__m128i four) const {
     const __m128i signs = _mm_or_si128(_mm_or_si128(Side(four, 0), Side(four, 1)), Side(four, 2));
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(signs))));

@@ -6,7 +6,8 @@
 
 namespace kaori::lips {
 
-// The colour of the paint in sRGB, as a colour picker shows it. The default is the blue theatre paint of the demo.
+// The colour of the paint in sRGB, as a colour picker shows it. The default is the blue theatre paint of the
+// demo.
 struct Paint {
   std::uint8_t red = 20;
   std::uint8_t green = 60;
@@ -47,7 +48,8 @@ class PaintKey {
   // Works the three sides out once; every setting is safe, within its range or not.
   explicit PaintKey(Paint paint, const KeySettings& settings = {});
 
-  // How far inside the wedge a colour lies, in levels; negative outside. Bytes are those of a camera, 128 is neutral.
+  // How far inside the wedge a colour lies, in levels; negative outside. Bytes are those of a camera, 128 is
+  // neutral.
   float Depth(std::uint8_t cb, std::uint8_t cr) const;
 
   // The soft key: 0 not paint .. 1 paint, 0.5 at the wedge's edge.
@@ -60,7 +62,8 @@ class PaintKey {
   const std::array<HalfPlane, 3>& weak() const { return weak_; }
 
  private:
-  // The wedge with half of the soft edge around it: a colour is paint, or nearly so, on the positive side of all three.
+  // The wedge with half of the soft edge around it: a colour is paint, or nearly so, on the positive side of
+  // all three.
   std::array<HalfPlane, 3> weak_;
   // The width of the soft edge.
   float smooth_levels_;

@@ -62,8 +62,9 @@ void Prefetch(const decode::Plane& plane, std::size_t at) {
   for (std::size_t n = 0; n < row; n += kCacheLine_bytes) __builtin_prefetch(&plane.bytes[at + n]);
 }
 
-// Set where at least three of a sample and its four neighbours are set; 64 samples are counted at once, bit by
-// bit. A full adder for the three in the row, a half adder for the two in the column: three or more of five.
+// Set where at least three of a sample and its four neighbours are set; 64 samples are counted at once, bit
+// by bit. A full adder for the three in the row, a half adder for the two in the column: three or more of
+// five.
 std::uint64_t Vote(std::uint64_t left, std::uint64_t here, std::uint64_t right, std::uint64_t above,
                    std::uint64_t below) {
   const std::uint64_t odd_in_row = left ^ here ^ right;
@@ -113,7 +114,8 @@ void PaintMask::Read(const decode::Planes& planes, const PaintKey& key) {
   VoteOn(rows);
 }
 
-// Runs are counted on the way, by their first bits, so that Regions::Find can refuse noise before it looks at anything.
+// Runs are counted on the way, by their first bits, so that Regions::Find can refuse noise before it looks at
+// anything.
 void PaintMask::VoteOn(std::size_t rows) {
   runs_ = 0;
   for (std::size_t y = 0; y < rows; ++y) {

@@ -1,4 +1,5 @@
-// The mask of the paint in a picture: one bit for each sample of a square grid of chroma, without single specks.
+// The mask of the paint in a picture: one bit for each sample of a square grid of chroma, without single
+// specks.
 #pragma once
 
 #include <cstddef>

@@ -55,7 +55,8 @@ void Regions::CutRuns(std::span<const std::uint64_t> words, int row) {
   if (open) runs_.back().end = at;
 }
 
-// Both rows are in order from left to right, so that one walk along them finds every contact, corners included.
+// Both rows are in order from left to right, so that one walk along them finds every contact, corners
+// included.
 void Regions::Join(std::size_t above, std::size_t here) {
   const std::size_t end_above = here;
   for (std::size_t n = here; n < runs_.size(); ++n) {

@@ -11,7 +11,8 @@
 
 namespace kaori::lips {
 
-// The bounding box of a region in samples of the grid; `right` and `bottom` are exclusive. Areas count samples.
+// The bounding box of a region in samples of the grid; `right` and `bottom` are exclusive. Areas count
+// samples.
 struct Region {
   int left = 0;
   int top = 0;
@@ -28,7 +29,8 @@ struct Region {
 // The bounding box of both, with the name of `a` and both areas.
 Region Hull(const Region& a, const Region& b);
 
-// Samples of paint side by side in one row. `label` is where the run was put first; NameOf says where it belongs now.
+// Samples of paint side by side in one row. `label` is where the run was put first; NameOf says where it
+// belongs now.
 struct Run {
   int begin = 0;
   int end = 0;  // Exclusive.
@@ -40,7 +42,8 @@ struct Run {
 // thread. Connected means by sides or corners. What it gives holds until the next Find.
 class Regions {
  public:
-  // Finds the regions of a mask. Returns false, without regions, where so many runs mean that all of it is noise.
+  // Finds the regions of a mask. Returns false, without regions, where so many runs mean that all of it is
+  // noise.
   bool Find(const PaintMask& mask);
 
   // Returns up to `most` regions of at least `min_area` samples, the largest first. The span is valid until

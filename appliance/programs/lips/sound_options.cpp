@@ -15,8 +15,8 @@ namespace {
 // The gate shuts at half the amplitude at which it opens, so that it does not flutter.
 constexpr float kGateHysteresis_db = 6;
 
-// A show that was brought to the box: the stage has checked who signed it, and it is checked as a whole once more. Where
-// it cannot be read the show goes on without its sounds.
+// A show that was brought to the box: the stage has checked who signed it, and it is checked as a whole once
+// more. Where it cannot be read the show goes on without its sounds.
 std::vector<show::Sound> BroughtClips(const std::filesystem::path& pack) {
   auto clips = show::LoadSounds(pack);
   if (clips) return std::move(*clips);
@@ -58,8 +58,8 @@ voice::GateSettings GateOf(const VoiceSettings& voice) {
   return {.opens_db = voice.opens_db, .shuts_db = voice.opens_db - kGateHysteresis_db};
 }
 
-// The option comes before the saved setting. "off" falls through to the latter, which plays no part where there
-// is no loudspeaker. Nothing stands for the measured delay.
+// The option comes before the saved setting. "off" falls through to the latter, which plays no part where
+// there is no loudspeaker. Nothing stands for the measured delay.
 voice::DelaySetting DelayOf(const LipOptions& options, const VoiceSettings& voice) {
   if (!options.sound_delay.empty())
     if (const auto delay = voice::ParseDelay(options.sound_delay)) return *delay;

@@ -1,7 +1,7 @@
 // kaori-power: what a short press of the PC's power button does.
 //
-// In a show it does nothing and says so; while the service key is on it stops the box. A long press is the hardware's, and
-// to take the mains away is always safe.
+// In a show it does nothing and says so; while the service key is on it stops the box. A long press is the
+// hardware's, and to take the mains away is always safe.
 #include <chrono>
 #include <filesystem>
 #include <string>

@@ -38,7 +38,8 @@ bool IsPress(const input_event& event) {
 
 }  // namespace
 
-// Devices that come later are not looked for: the machine's own buttons are there when the kernel has started.
+// Devices that come later are not looked for: the machine's own buttons are there when the kernel has
+// started.
 std::vector<PowerButton> PowerButton::FindAll(const std::filesystem::path& folder) {
   std::vector<PowerButton> found;
   for (const auto& name : ListFolder(folder).value_or(std::vector<std::filesystem::path>{})) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kMostSmallFile_bytes = 4096;
 
-// One file of the folder, as Draft says. A short write is no error: the rest is written by the next call, which then says why.
+// One file of the folder, as Draft says. A short write is no error: the rest is written by the next call,
+// which then says why.
 class DiskDraft final : public Draft {
  public:
   DiskDraft(UniqueFd fd, std::string name) : fd_(std::move(fd)), name_(std::move(name)) {}

@@ -23,8 +23,8 @@ class Draft {
   virtual Result<void> Finish() = 0;
 };
 
-// Every call blocks for the disk. Names are plain names of files in the folder. A name that was made, renamed or
-// removed survives a power cut once KeepNames has returned, and may or may not before.
+// Every call blocks for the disk. Names are plain names of files in the folder. A name that was made, renamed
+// or removed survives a power cut once KeepNames has returned, and may or may not before.
 class Folder {
  public:
   virtual ~Folder() = default;

@@ -48,8 +48,8 @@ InstallService::~InstallService() {
   if (installation_) RemoveLeftovers(folder_);
 }
 
-// Read anew for each installation: a key that was just taken counts at once. A file without a key is named, and the others
-// still count; where nothing can be read nobody is trusted.
+// Read anew for each installation: a key that was just taken counts at once. A file without a key is named,
+// and the others still count; where nothing can be read nobody is trusted.
 show::PublicKeys InstallService::Keys() const {
   std::vector<std::string> faults;
   const std::vector<std::filesystem::path> folders{places_.root_keys, places_.keys};
@@ -64,7 +64,8 @@ std::string InstallService::Plays() const {
   return store::ParsePlayLog(ReadFile(places_.plays, {.most_bytes = kMostLog_bytes}).value_or("")).last;
 }
 
-// A stick is looked for while one is read as well, so that another one is listed as soon as the installation has ended.
+// A stick is looked for while one is read as well, so that another one is listed as soon as the installation
+// has ended.
 void InstallService::Step(Time now) {
   if (now >= look_next_) Look(now);
   if (installation_) return StepInstallation();
@@ -88,7 +89,8 @@ void InstallService::Look(Time now) {
   if (looked && (said_ == Message::kChoose || said_ == Message::kNoShow)) Tell(Message::kPlugIn);
 }
 
-// Shows first, so that their numbers do not depend on the keys beside them. A file that holds no key is not offered.
+// Shows first, so that their numbers do not depend on the keys beside them. A file that holds no key is not
+// offered.
 void InstallService::OfferAll(const std::filesystem::path& stick) {
   const auto shows = ListShows(stick), keys = ListKeys(stick);
   if (!shows || !keys) return Tell(Message::kPulled, {}, (!shows ? shows : keys).error().message());

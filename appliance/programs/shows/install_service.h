@@ -1,5 +1,5 @@
-// The work of kaori-shows while the service key is on: looks for a stick, offers what lies on it, installs what is
-// taken, and says at each moment how that stands.
+// The work of kaori-shows while the service key is on: looks for a stick, offers what lies on it, installs
+// what is taken, and says at each moment how that stands.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +23,8 @@ struct ServicePlaces {
       plays{};  // What the stage says of the show that plays: appliance/core/store/play_log.h.
 };
 
-// Gives the folder in which a stick is mounted; nothing while none is; an error where one is plugged in that cannot be
-// mounted. Called every half second.
+// Gives the folder in which a stick is mounted; nothing while none is; an error where one is plugged in that
+// cannot be mounted. Called every half second.
 using LookForStick = std::function<Result<std::optional<std::filesystem::path>>()>;
 
 // One thread; folder and board must outlive it.
@@ -42,7 +42,8 @@ class InstallService {
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);
 
  private:
-  // A stick came or went. Nothing of it is shown while a show is installed; the next look after that makes up for it.
+  // A stick came or went. Nothing of it is shown while a show is installed; the next look after that makes up
+  // for it.
   void Look(Time now);
   // Lists what lies at the top of the stick, and says so; blocks for the stick.
   void OfferAll(const std::filesystem::path& stick);

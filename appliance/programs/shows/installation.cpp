@@ -18,8 +18,8 @@ namespace {
 constexpr const char* kIncoming = "incoming";
 constexpr const char* kNewChoice = "choice.new";
 
-// Read from front to back, once: what the header said and what is copied come from one open file, so that a name that is given
-// to another file meanwhile changes nothing.
+// Read from front to back, once: what the header said and what is copied come from one open file, so that a
+// name that is given to another file meanwhile changes nothing.
 class FileSource final : public Source {
  public:
   FileSource(UniqueFd fd, std::uint64_t bytes, std::string name)
@@ -71,7 +71,8 @@ Result<std::unique_ptr<Source>> OpenSource(const std::filesystem::path& file) {
                                       file.string());
 }
 
-// A pack's own causes first. What else is wrong with the input is damage; what the system cannot read is a stick that is gone.
+// A pack's own causes first. What else is wrong with the input is damage; what the system cannot read is a
+// stick that is gone.
 Message MessageOf(const Error& error) {
   switch (error.cause) {
     case show::kNoPack:
@@ -94,7 +95,8 @@ store::Choice ReadChoice(const Folder& folder) {
   return store::Newer(folder.Read(store::kChoiceFiles[0]), folder.Read(store::kChoiceFiles[1]));
 }
 
-// Content, name, folder, in this order; a name that reached the disk before its content would be a torn choice.
+// Content, name, folder, in this order; a name that reached the disk before its content would be a torn
+// choice.
 Result<void> WriteChoice(Folder& folder, store::Choice choice) {
   const std::string text = store::Format(choice);
   auto draft = folder.Begin(kNewChoice);
@@ -147,14 +149,15 @@ void Installation::Refuse(Message message, std::string detail) {
   stage_ = Stage::kEnded;
 }
 
-// The box's own disk failed. A full one is for the person to mend; anything else is for whoever looks after the box.
+// The box's own disk failed. A full one is for the person to mend; anything else is for whoever looks after
+// the box.
 void Installation::RefuseFolder(const Error& error) {
   Refuse(error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
          error.message());
 }
 
-// Whoever signed it is asked before anything is copied: what is not trusted is not worth reading. The chosen show is
-// copied anew where the disk has spoilt it.
+// Whoever signed it is asked before anything is copied: what is not trusted is not worth reading. The chosen
+// show is copied anew where the disk has spoilt it.
 void Installation::ReadHeader() {
   show::PackHeader header{};
   const auto got = source_->Read(header);

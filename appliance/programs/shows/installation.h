@@ -1,5 +1,5 @@
-// Installs a show: copies a pack from a stick, checks it in every way there is, and only then makes it the one that
-// plays. At each moment, whatever fails, the show that played before is whole and chosen.
+// Installs a show: copies a pack from a stick, checks it in every way there is, and only then makes it the
+// one that plays. At each moment, whatever fails, the show that played before is whole and chosen.
 #pragma once
 
 #include <cstdint>
@@ -43,15 +43,17 @@ struct Progress {
 // Judges the copy as a whole, by its path: the verifier, and a rehearsal. It was hashed already. Blocks.
 using Trial = std::function<Result<void>(const std::filesystem::path& pack)>;
 
-// One thread; the folder and the source must outlive it. Destroyed on the way it leaves nothing behind that counts.
+// One thread; the folder and the source must outlive it. Destroyed on the way it leaves nothing behind that
+// counts.
 class Installation {
  public:
-  // `keys` are those that the box trusts; `plays` is the show that plays, where that is not the chosen one: an id or
-  // kRootShow. Empty: the chosen one.
+  // `keys` are those that the box trusts; `plays` is the show that plays, where that is not the chosen one:
+  // an id or kRootShow. Empty: the chosen one.
   Installation(Folder& folder, std::unique_ptr<Source> source, show::PublicKeys keys, Trial trial,
                std::string plays = {});
 
-  // Does the next piece of the work, 1 MiB of the copy at most, and says how it stands. To be called until ended().
+  // Does the next piece of the work, 1 MiB of the copy at most, and says how it stands. To be called until
+  // ended().
   const Progress& Step();
   bool ended() const { return stage_ == Stage::kEnded; }
   const Progress& progress() const { return progress_; }
@@ -71,8 +73,8 @@ class Installation {
   // Ends with a refusal, and removes what was copied.
   void Refuse(Message message, std::string detail = {});
   void RefuseFolder(const Error& error);
-  // Removes packs until there is room: those that nobody plays, in the order of their names, and last the one that was
-  // played before. What plays and what is chosen stays, but a spoilt one that is copied anew.
+  // Removes packs until there is room: those that nobody plays, in the order of their names, and last the one
+  // that was played before. What plays and what is chosen stays, but a spoilt one that is copied anew.
   Result<bool> MakeRoom(std::uint64_t bytes);
   // The packs that may go, in the order in which they do.
   Result<std::vector<std::string>> Removable() const;
@@ -94,15 +96,16 @@ class Installation {
   std::uint64_t copied_bytes_ = 0;  // Of the content, without the header.
 };
 
-// Writes the next choice, in the older of the two generations' files, and returns once it is on the disk: the choice
-// is then this one, whatever happens. Errors: those of the folder; then the choice before still stands.
+// Writes the next choice, in the older of the two generations' files, and returns once it is on the disk: the
+// choice is then this one, whatever happens. Errors: those of the folder; then the choice before still
+// stands.
 Result<void> WriteChoice(Folder& folder, store::Choice choice);
 
 // The choice as the folder has it.
 store::Choice ReadChoice(const Folder& folder);
 
-// Removes what an installation left that was cut off: a copy that is half done takes the room of a show. What cannot be
-// removed stays for the next one, which replaces it.
+// Removes what an installation left that was cut off: a copy that is half done takes the room of a show. What
+// cannot be removed stays for the next one, which replaces it.
 void RemoveLeftovers(Folder& folder);
 
 }  // namespace kaori::shows

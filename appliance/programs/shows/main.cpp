@@ -1,8 +1,9 @@
-// kaori-shows: brings shows from a stick onto the box. It runs while the service key is on, and ends when that is
-// turned back; a stick is mounted by it alone, in a mount namespace of its own, and goes with it.
+// kaori-shows: brings shows from a stick onto the box. It runs while the service key is on, and ends when
+// that is turned back; a stick is mounted by it alone, in a mount namespace of its own, and goes with it.
 //
-// One loop. What plays goes on meanwhile: a step copies little, and the trial of a show is another process, both at
-// the lowest priority that the unit gives them. The end of the program at any moment leaves the show before.
+// One loop. What plays goes on meanwhile: a step copies little, and the trial of a show is another process,
+// both at the lowest priority that the unit gives them. The end of the program at any moment leaves the show
+// before.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -46,8 +47,9 @@ struct Settings {
   bool plugged = false;
 };
 
-// Mounts the first that holds shows or keys of all partitions of all sticks, else any that can be mounted: computers put a small
-// partition of their own in front of the one that people see. What cannot be mounted is tried again when it was out.
+// Mounts the first that holds shows or keys of all partitions of all sticks, else any that can be mounted:
+// computers put a small partition of their own in front of the one that people see. What cannot be mounted is
+// tried again when it was out.
 class Sticks {
  public:
   explicit Sticks(fs::path at) : at_(std::move(at)) {}
@@ -134,8 +136,8 @@ int Install(const Settings& settings) {
   return well ? 0 : 1;
 }
 
-// Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for the screen go with
-// it; `chosen` stays, since the stage compares it with what it plays.
+// Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for
+// the screen go with it; `chosen` stays, since the stage compares it with what it plays.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
   if (auto ok = kaori::shows::KeepRightsToOurselves(); !ok) return kaori::ExitWithError(ok.error());
   const auto board = kaori::board::Board::Open(settings.board);

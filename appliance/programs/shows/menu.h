@@ -1,5 +1,5 @@
-// What whoever stands before the box sees and does: the list of what is on the stick, which one is marked, and the one
-// that was taken. Presses come from the board; nothing is drawn here.
+// What whoever stands before the box sees and does: the list of what is on the stick, which one is marked,
+// and the one that was taken. Presses come from the board; nothing is drawn here.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ class Menu {
   // What can be taken stays; presses from before count no more.
   void ForgetPresses();
 
-  // Looks at the board: a press of a key or button 1 to 8 takes that one; arrow keys move the mark; GO and Enter take
-  // the marked one. The result is taken now; nothing where nobody took anything.
+  // Looks at the board: a press of a key or button 1 to 8 takes that one; arrow keys move the mark; GO and
+  // Enter take the marked one. The result is taken now; nothing where nobody took anything.
   std::optional<Choosable> Read(const board::Stamped<board::Keys>& keys,
                                 const board::Stamped<board::Surface>& surface,
                                 const board::Stamped<board::Lines>& lines);

@@ -12,8 +12,8 @@ constexpr std::size_t kLongestName = 40;
 constexpr std::size_t kMostLookedAt =
     4096;  // Entries of the folder; a damaged one may seem to have any number.
 
-// One pass, without opening any of the files: kinds and lengths are those of the folder's entries. A file whose length cannot be
-// read is listed with none, and refused when it is taken.
+// One pass, without opening any of the files: kinds and lengths are those of the folder's entries. A file
+// whose length cannot be read is listed with none, and refused when it is taken.
 Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extension) {
   std::error_code error;
   std::vector<Offer> offers;

@@ -27,7 +27,8 @@ struct Child {
   UniqueFd says;
 };
 
-// Its standard output stays ours, and goes to the log as it does on a laptop. Errors: those of pipe2(2) and posix_spawn(3).
+// Its standard output stays ours, and goes to the log as it does on a laptop. Errors: those of pipe2(2) and
+// posix_spawn(3).
 Result<Child> Spawn(const std::string& program, const std::string& pack) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) < 0) return FailErrno("start " + program);
@@ -59,8 +60,8 @@ struct Patience {
   const std::function<bool()>& wanted;
 };
 
-// Listens until the child closes its end, the time is over, or nobody wants to know any more. Errors: timed_out,
-// operation_canceled.
+// Listens until the child closes its end, the time is over, or nobody wants to know any more. Errors:
+// timed_out, operation_canceled.
 Result<std::string> Listen(const UniqueFd& says, const Patience& patience) {
   constexpr int kAsk_ms = 100;
   std::string heard;
@@ -87,8 +88,8 @@ std::string LastLine(std::string text) {
 
 }  // namespace
 
-// A program of root's gets, when it is started, all rights of the bounding set (capabilities(7)); those that this process
-// has already stay with it, so that it can drop both and mount all the same.
+// A program of root's gets, when it is started, all rights of the bounding set (capabilities(7)); those that
+// this process has already stay with it, so that it can drop both and mount all the same.
 Result<void> KeepRightsToOurselves() {
   for (const unsigned long right : {CAP_SYS_ADMIN, CAP_SETPCAP}) {
     if (::prctl(PR_CAPBSET_READ, right) != 1) continue;

@@ -8,9 +8,10 @@
 
 namespace kaori::stage {
 
-// A line where calls were refused or lost: a remote control that calls what is not there is told so by nothing else. A line
-// when the show is locked, when it is unlocked, and when the lock was denied; and what the lock has refused, in one line
-// for all that came within ten seconds: a keyboard that somebody sits on must not fill the log. One thread.
+// A line where calls were refused or lost: a remote control that calls what is not there is told so by
+// nothing else. A line when the show is locked, when it is unlocked, and when the lock was denied; and what
+// the lock has refused, in one line for all that came within ten seconds: a keyboard that somebody sits on
+// must not fill the log. One thread.
 class CallLog {
  public:
   // Of one frame: the state before it, and the one after.

@@ -45,7 +45,8 @@ show::LoadOptions OptionsOf(const ShowPlaces& places) {
   return {.signed_by = keys.value_or(show::PublicKeys{}), .on_verified_root = false};
 }
 
-// The root's show is opened as the options of the command line say, which trust the verified root; all others as foreign files.
+// The root's show is opened as the options of the command line say, which trust the verified root; all others
+// as foreign files.
 Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places) {
   auto pack = store::PackOf(id, places.shows, places.root_pack);
   auto show = show::LoadPack(pack, id == store::kRootShow ? places.of_root : OptionsOf(places));
@@ -58,7 +59,8 @@ Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places) {
 // What is noted before the show is read: one that ends the stage while it is read counts as well.
 Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
   if (places.shows.empty()) return Load(std::string(store::kRootShow), places);
-  // Before the choice: what comes between the two is followed, and a choice that the disk has lost is not waited for.
+  // Before the choice: what comes between the two is followed, and a choice that the disk has lost is not
+  // waited for.
   const std::uint64_t told = ReadChosen(places.chosen);
   const store::Choice choice = store::ReadChoice(places.shows);
   store::PlayLog log = store::Started(ReadPlayLog(places), choice, now);

@@ -1,5 +1,5 @@
-// Which show this stage plays: the chosen one, unless it cannot be read or has ended the stage too often; then the one
-// before it, and at last the root's.
+// Which show this stage plays: the chosen one, unless it cannot be read or has ended the stage too often;
+// then the one before it, and at last the root's.
 #pragma once
 
 #include <cstdint>
@@ -35,13 +35,14 @@ struct ChosenShow {
   bool another = false;          // The stage before this one played another show.
 };
 
-// Reads the first show of those to try that can be read, and notes that it plays; says in the log which were passed
-// over and why. A pack of `shows` must be signed by a key beside the root's pack (its folder's `keys`) or of `keys`,
-// and is always checked as a whole. Blocks for the disk. Errors: those of LoadPack for the root's show.
+// Reads the first show of those to try that can be read, and notes that it plays; says in the log which were
+// passed over and why. A pack of `shows` must be signed by a key beside the root's pack (its folder's `keys`)
+// or of `keys`, and is always checked as a whole. Blocks for the disk. Errors: those of LoadPack for the
+// root's show.
 Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now);
 
-// Lays the box's own roles.toml over the show's, where there is one. One that is wrong is named in the log and not used:
-// the show's own roles play. Blocks for the disk.
+// Lays the box's own roles.toml over the show's, where there is one. One that is wrong is named in the log
+// and not used: the show's own roles play. Blocks for the disk.
 void LayOverRoles(const std::filesystem::path& file, show::Show& show);
 
 // The stage ends of its own will: the show is not to blame. Blocks for a file in memory.
@@ -54,9 +55,9 @@ class ShowWatch {
   ShowWatch(ShowPlaces places, std::uint64_t generation, Time first_picture)
       : places_(std::move(places)), generation_(generation), first_picture_(first_picture) {}
 
-  // To be called some times a second: notes once that the show has been seen for store::kSettlesAfter. True from when
-  // kaori-shows has said, in memory, so that no disk is asked while a show plays, that another one is chosen: the stage
-  // is to end, to be started with that. Blocks for a file in memory.
+  // To be called some times a second: notes once that the show has been seen for store::kSettlesAfter. True
+  // from when kaori-shows has said, in memory, so that no disk is asked while a show plays, that another one
+  // is chosen: the stage is to end, to be started with that. Blocks for a file in memory.
   bool IsOver(Time now);
 
  private:

@@ -23,9 +23,10 @@ struct LoggedEvening {
   std::unique_ptr<showlog::MinusOne> play;
 };
 
-// Nothing where the options name no log. What of the log is spoilt is named in the program's log. `show` is that of `pack` with
-// the roles that the box lays over it, which `roles` may hold, and outlives what is given. Blocks for the disk. Errors: those of
-// LogFile::Read and MinusOne::Open; kInput: the log is of another show or other roles, or `at` is no time of day.
+// Nothing where the options name no log. What of the log is spoilt is named in the program's log. `show` is
+// that of `pack` with the roles that the box lays over it, which `roles` may hold, and outlives what is
+// given. Blocks for the disk. Errors: those of LogFile::Read and MinusOne::Open; kInput: the log is of
+// another show or other roles, or `at` is no time of day.
 Result<LoggedEvening> OpenEvening(const EveningOptions& options, const std::filesystem::path& pack,
                                   const std::filesystem::path& roles, const show::Show& show);
 

@@ -35,7 +35,8 @@ void FramePacer::Forget() {
   drawn_ = 0;
 }
 
-// A flip that is half a period or more behind its aim came a blank later. The first flip has no aim and is never late.
+// A flip that is half a period or more behind its aim came a blank later. The first flip has no aim and is
+// never late.
 void FramePacer::Flipped(const ports::Flip& flip) {
   if (!last_ || !IsSamePeriod(last_->period, flip.period)) {
     Forget();

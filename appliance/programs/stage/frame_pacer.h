@@ -20,7 +20,8 @@ namespace kaori::stage {
 //       |---------------------|-------- usual --------|-- margin --|
 //             waiting            sample, draw, Present    in hand
 //
-// The blank is the first one that a frame begun now would usually reach; where the time is short it begins at once.
+// The blank is the first one that a frame begun now would usually reach; where the time is short it begins at
+// once.
 class FramePacer {
  public:
   struct Plan {

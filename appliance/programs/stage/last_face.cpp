@@ -36,8 +36,8 @@ std::optional<performance::State> StateIn(std::span<const std::uint8_t> bytes) {
   return board::Restore<performance::State>(held);
 }
 
-// Whether no fade of face, expression, style, backdrop or light is under way, and no button held that lets something join: it
-// will not be held tomorrow.
+// Whether no fade of face, expression, style, backdrop or light is under way, and no button held that lets
+// something join: it will not be held tomorrow.
 bool Done(const performance::State& state) {
   const auto done = [](const auto* one) { return one->progress >= 1; };
   const auto lasts = [](const performance::Kept& kept) {

@@ -41,7 +41,8 @@ Result<performance::State> RecallLastFace(const LastFaceFile& where, const show:
 
 // Puts the state that was kept onto a board that has none yet, and gives it: a stage that starts then goes on
 // from there. Why it cannot be had is one line in the log, but for a box that never kept one. Blocks for the
-// disk; called once, before the Stage is made, which then finds the state on the board as it would after a crash.
+// disk; called once, before the Stage is made, which then finds the state on the board as it would after a
+// crash.
 std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, const show::Show& show,
                                                  const board::Board& board,
                                                  board::Writer<board::Performance>& writer,
@@ -86,7 +87,8 @@ class LastFace {
   };
   // The part of a state that operators have set.
   static Called CalledOf(const performance::State& state);
-  // Copies picture and state out and hands them to the writer; false where the writer is busy or there is no picture.
+  // Copies picture and state out and hands them to the writer; false where the writer is busy or there is no
+  // picture.
   bool Keep();
 
   Look look_;

@@ -43,8 +43,8 @@ LastFace::Writer::Writer(LastFaceFile where)
         return true;  // What was refused is dropped.
       }) {}
 
-// The picture lies in `image_` already, where LastFace let it be copied: the buffers are the writer's from here
-// on.
+// The picture lies in `image_` already, where LastFace let it be copied: the buffers are the writer's from
+// here on.
 void LastFace::Writer::Write(const board::Performance& performance) {
   performance_ = performance;
   writer_.Ask();

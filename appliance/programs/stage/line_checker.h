@@ -1,4 +1,5 @@
-// The line check as the stage runs it: who begins and ends it, and what of the board is left for the show meanwhile.
+// The line check as the stage runs it: who begins and ends it, and what of the board is left for the show
+// meanwhile.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +15,13 @@
 
 namespace kaori::stage {
 
-// A check begins by a call or by the key Home while the service key is on, and again by either. It ends by a call, by Home or
-// Escape, when the service key is turned off, and when nothing has been moved for two minutes: a box that was left in the middle
-// of a check must play the show. Enter or a call says that all lamps were lit.
+// A check begins by a call or by the key Home while the service key is on, and again by either. It ends by a
+// call, by Home or Escape, when the service key is turned off, and when nothing has been moved for two
+// minutes: a box that was left in the middle of a check must play the show. Enter or a call says that all
+// lamps were lit.
 //
-// While it runs the show gets nothing of what people do: no press, no dial, no stick, no key, no lips and no voice, and of calls
-// on the board PANIC and BLACKOUT alone. The face rests, breathes, and does not follow.
+// While it runs the show gets nothing of what people do: no press, no dial, no stick, no key, no lips and no
+// voice, and of calls on the board PANIC and BLACKOUT alone. The face rests, breathes, and does not follow.
 class LineChecker {
  public:
   // Borrows the writer.
@@ -36,9 +38,10 @@ class LineChecker {
     const ports::Scanout* screen = nullptr;
     Time now{};
   };
-  // Handles the check's calls and keys, takes out of `events` what the show is not to have, and gives what is left of the board for
-  // it; that holds until the next call. Writes how the check stands on the board, and a line into the log when it begins and ends.
-  // Allocates only in a frame in which a check begins or ends, and once a second while it runs.
+  // Handles the check's calls and keys, takes out of `events` what the show is not to have, and gives what is
+  // left of the board for it; that holds until the next call. Writes how the check stands on the board, and a
+  // line into the log when it begins and ends. Allocates only in a frame in which a check begins or ends, and
+  // once a second while it runs.
   const board::Snapshot& Step(const Frame& frame, performance::InputEvents& events);
 
   bool running() const { return check_.running(); }
@@ -46,7 +49,8 @@ class LineChecker {
 
  private:
   enum class Wish : std::uint8_t { kNone, kBegin, kEnd };
-  // What was asked for in this frame; the newest counts. Says that the lamps were lit, where somebody says so.
+  // What was asked for in this frame; the newest counts. Says that the lamps were lit, where somebody says
+  // so.
   Wish ReadWish(performance::InputEvents& events, Time now);
   void Begin(const Frame& frame);
   void End(const char* why);

@@ -38,8 +38,8 @@ class TemporaryFolder {
 }  // namespace
 
 // The log carries the roles of its evening; they are laid over the show by way of a file, as the box does it.
-// The editor is opened for the expressions that it appends to the show, on which the numbers of the log count.
-// A pack whose mark cannot be read is not refused.
+// The editor is opened for the expressions that it appends to the show, on which the numbers of the log
+// count. A pack whose mark cannot be read is not refused.
 Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlog::LogHead& head,
                                  const std::filesystem::path& own) {
   auto show = show::LoadPack(pack);

@@ -9,9 +9,10 @@
 
 namespace kaori::stage {
 
-// The pack, with the box's roles, which the log holds, and with the expressions that were made on the box, from their folder
-// `own`; with an empty path as many that are empty, so that numbers mean the same. Passing files are made and removed. What of
-// the roles is wrong is logged. Blocks for the disk. Errors: those of LoadPack; kInput: the log is of another show.
+// The pack, with the box's roles, which the log holds, and with the expressions that were made on the box,
+// from their folder `own`; with an empty path as many that are empty, so that numbers mean the same. Passing
+// files are made and removed. What of the roles is wrong is logged. Blocks for the disk. Errors: those of
+// LoadPack; kInput: the log is of another show.
 Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlog::LogHead& head,
                                  const std::filesystem::path& own);
 

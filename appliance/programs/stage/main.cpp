@@ -1,7 +1,8 @@
 // kaori-stage: draws the face that the board describes.
 //
-// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and four that
-// write the last face, the journal of the needles, the list of screens and the show log; the frame path waits for none of them.
+// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and four
+// that write the last face, the journal of the needles, the list of screens and the show log; the frame path
+// waits for none of them.
 //
 // The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for,
 // and watches the loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at
@@ -42,8 +43,9 @@ constexpr int kStillWidth_px = 480;
 
 using Settings = kaori::stage::StageOptions;
 
-// The graphics card of a box. Null on a desk, where the simulator's screen is looked for, and in a box that has
-// none: playing unseen keeps the lamps alive. Any other failure ends the program, and systemd starts it again.
+// The graphics card of a box. Null on a desk, where the simulator's screen is looked for, and in a box that
+// has none: playing unseen keeps the lamps alive. Any other failure ends the program, and systemd starts it
+// again.
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
   auto card = kaori::scanout::KmsCard::Open(settings.card, settings.fdkeeper);
@@ -75,7 +77,8 @@ kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop)
   return kaori::Fail(std::errc::no_such_device, "find a graphics card");
 }
 
-// What the loading thread hands over: the editor has appended its expressions to the show before it is prepared.
+// What the loading thread hands over: the editor has appended its expressions to the show before it is
+// prepared.
 struct Loaded {
   std::unique_ptr<kaori::editor::ExpressionEditor> editor;
   std::unique_ptr<kaori::stage::PreparedShow> show;
@@ -85,7 +88,8 @@ struct Loaded {
   bool another = false;
 };
 
-// Keys that were brought to the box lie beside its shows, and what became of each show beside the board, in memory.
+// Keys that were brought to the box lie beside its shows, and what became of each show beside the board, in
+// memory.
 kaori::Result<kaori::stage::ShowPlaces> PlacesOf(const Settings& settings) {
   auto options = kaori::show::LoadOptionsOf(settings.trust, settings.verified);
   if (!options) return tl::unexpected(options.error());
@@ -111,7 +115,8 @@ std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kao
   return nullptr;
 }
 
-// Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a graphics card.
+// Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a
+// graphics card.
 kaori::Result<Loaded> LoadShow(const Settings& settings, const kaori::stage::ShowPlaces& places) {
   auto chosen = kaori::stage::LoadChosen(places, kaori::SteadyClock().now());
   if (!chosen) return tl::unexpected(chosen.error());
@@ -155,7 +160,8 @@ struct Prepared {
   Loaded show;
 };
 
-// The show is loaded on another thread beside Mesa, which takes about as long; everything else is this thread's.
+// The show is loaded on another thread beside Mesa, which takes about as long; everything else is this
+// thread's.
 kaori::Result<Prepared> Prepare(const Settings& settings, const kaori::stage::ShowPlaces& places) {
   std::optional<kaori::Result<Loaded>> loaded;  // GCC 12 warns where a future carries it.
   auto loading = std::async(std::launch::async, [&] { loaded.emplace(LoadShow(settings, places)); });
@@ -172,8 +178,8 @@ kaori::Result<Prepared> Prepare(const Settings& settings, const kaori::stage::Sh
   return Prepared{std::move(*card), std::move(*context), std::move(**loaded)};
 }
 
-// Once the first picture is shown: it stays from now on, whatever ends the stage, and the service manager watches the loop.
-// `card` is null where there is none. Errors: those of the watchdog's timer.
+// Once the first picture is shown: it stays from now on, whatever ends the stage, and the service manager
+// watches the loop. `card` is null where there is none. Errors: those of the watchdog's timer.
 kaori::Result<void> BecomeReady(kaori::scanout::KmsCard* card, const kaori::stage::Stage& stage,
                                 kaori::EventLoop& loop) {
   if (card != nullptr)
@@ -183,9 +189,9 @@ kaori::Result<void> BecomeReady(kaori::scanout::KmsCard* card, const kaori::stag
   return kaori::service::FeedWatchdog(loop, [&stage] { return stage.usual_turn(); });
 }
 
-// The writers are acquired before the show is loaded, so that a second stage ends at once and notes no show. Once the
-// first picture is shown the card is handed to the fd keeper, so that the picture stays when the stage ends in whatever
-// way. The last face is kept when the loop has ended.
+// The writers are acquired before the show is loaded, so that a second stage ends at once and notes no show.
+// Once the first picture is shown the card is handed to the fd keeper, so that the picture stays when the
+// stage ends in whatever way. The last face is kept when the loop has ended.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());

@@ -19,7 +19,8 @@ struct FirstFrame {
   scene::Scene scene;
 };
 
-// A show opens with its first scene, so that each scene is put there once; without cues, which would call another one.
+// A show opens with its first scene, so that each scene is put there once; without cues, which would call
+// another one.
 std::vector<FirstFrame> FirstFrames(show::Show& show) {
   const auto cues = std::exchange(show.cue_list.cues, {});
   std::vector<FirstFrame> frames;

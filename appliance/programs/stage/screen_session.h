@@ -1,4 +1,5 @@
-// The stage before its screen: looks for one, watches it while it is there, and wakes the stage for each frame.
+// The stage before its screen: looks for one, watches it while it is there, and wakes the stage for each
+// frame.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,9 @@ namespace kaori::stage {
 // screen is looked for four times a second.
 class ScreenSession {
  public:
-  // Opens the screen that is there now; fails while there is none, which is expected and not logged. May block for
-  // the kernel's mode setting, some tens of milliseconds. The session owns what it gives, by way of the stage.
+  // Opens the screen that is there now; fails while there is none, which is expected and not logged. May
+  // block for the kernel's mode setting, some tens of milliseconds. The session owns what it gives, by way of
+  // the stage.
   using Open = std::function<Result<std::unique_ptr<ports::Scanout>>()>;
 
   ScreenSession(Stage& stage, EventLoop& loop, Alarm alarm, Open open)

@@ -75,7 +75,8 @@ bool HasCode(const board::Stamped<board::Desk>& desk, Time now) {
 
 }  // namespace
 
-// In front of what the editor may have put there; a caption that is not shown holds lines of an earlier frame.
+// In front of what the editor may have put there; a caption that is not shown holds lines of an earlier
+// frame.
 void Say(const std::vector<std::string>& lines, scene::Caption& caption) {
   if (!(caption.shown > 0)) caption.lines.clear();
   caption.shown = 1;
@@ -91,8 +92,8 @@ bool IsChecking(const board::Stamped<board::LineCheck>& check, Time now) {
          now - check.at < kGuideSilence;
 }
 
-// Every button confirms a pose, and the three keys confirm or cancel (lips/service/guide.cpp). Other keys stay
-// the show's.
+// Every button confirms a pose, and the three keys confirm or cancel (lips/service/guide.cpp). Other keys
+// stay the show's.
 void ConsumeGuideInput(performance::InputEvents& events) {
   events.Consume([](const performance::Press& press) {
     return !press.IsKey() || press.code == kEnter || press.code == kEscape || press.code == kPadEnter;

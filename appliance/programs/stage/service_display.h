@@ -20,9 +20,9 @@ bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now);
 // The same of a line check, which ends with its stage.
 bool IsChecking(const board::Stamped<board::LineCheck>& check, Time now);
 
-// While a calibration is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board
-// itself: takes them out of `events`, so that nobody is called by them. Other keys still play. Dials and
-// sticks are not touched.
+// While a calibration is, presses of buttons, Enter and Escape are the calibration's, which reads them from
+// the board itself: takes them out of `events`, so that nobody is called by them. Other keys still play.
+// Dials and sticks are not touched.
 void ConsumeGuideInput(performance::InputEvents& events);
 
 // The lamps of buttons 1 to 4 are shut, open, wide, narrow: those that are taken are lit, the one that is

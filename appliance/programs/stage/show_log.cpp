@@ -34,8 +34,8 @@ struct LogOnDisk {
   std::optional<showlog::LogHead> head;  // None: it cannot be read, and counts as an evening.
 };
 
-// The beginning of the file is enough: the roles file is the one long part of a head, and 1 KB has room for the
-// rest.
+// The beginning of the file is enough: the roles file is the one long part of a head, and 1 KB has room for
+// the rest.
 std::optional<showlog::LogHead> HeadOf(const fs::path& file) {
   const auto text = ReadBeginning(file, showlog::kMostRoles_bytes + 1024);
   if (!text) return std::nullopt;
@@ -73,7 +73,8 @@ bool GoesOn(const LogOnDisk& log, showlog::LogHead head) {
   return showlog::HeadBytes(*log.head) == showlog::HeadBytes(head);
 }
 
-// From the newest to the oldest; the first that is too much goes, and all before it. `coming` is what is written next.
+// From the newest to the oldest; the first that is too much goes, and all before it. `coming` is what is
+// written next.
 void RemoveOld(const std::vector<LogOnDisk>& logs, const std::optional<showlog::LogHead>& current,
                std::uintmax_t coming) {
   std::uintmax_t bytes = coming;
@@ -128,7 +129,8 @@ ShowLog::ShowLog(fs::path folder, const showlog::LogHead& head)
         return true;  // What was refused is dropped.
       }) {}
 
-// No file is made here: it comes with the first chunk, so that a stage that draws nothing leaves no empty log.
+// No file is made here: it comes with the first chunk, so that a stage that draws nothing leaves no empty
+// log.
 Result<std::unique_ptr<ShowLog>> ShowLog::Open(const fs::path& folder, const showlog::LogHead& head) {
   std::error_code error;
   fs::create_directories(folder, error);

@@ -41,7 +41,8 @@ LevelOwner OwnerOf(const performance::LevelNow& level) {
   return LevelOwner::kNobody;
 }
 
-// A dial off its rest has the mouth before lips and voice (mouth.cpp); at its rest they have it, as far as it moves.
+// A dial off its rest has the mouth before lips and voice (mouth.cpp); at its rest they have it, as far as it
+// moves.
 void TellOfTheMouth(const performance::State& state, board::ShowNow& now) {
   const auto dial = [&state](Level level) {
     const auto i = static_cast<std::size_t>(level);

@@ -35,7 +35,8 @@ Duration CpuOfProcess() {
   return time(usage.ru_utime) + time(usage.ru_stime);
 }
 
-// The newest stamp of what moves the face by hand or lips. A voice writes without a pause and would hide all others.
+// The newest stamp of what moves the face by hand or lips. A voice writes without a pause and would hide all
+// others.
 Time NewestInput(const board::Snapshot& s) {
   return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
 }
@@ -65,7 +66,8 @@ Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
                       std::move(*show_now),    std::move(*motion_now), std::move(*line_check)};
 }
 
-// The count of frames and the last motion go on from the board, so that readers who compare them see no step back.
+// The count of frames and the last motion go on from the board, so that readers who compare them see no step
+// back.
 Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
     : board_(board), snapshots_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
   const auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
@@ -222,8 +224,8 @@ const board::Snapshot& Stage::WithEvening(const board::Snapshot& live, Time pres
 }
 
 // One frame of the show without drawing. Events are handed on in this order: calibration, line check,
-// editor, performance; each takes out what it uses. The state goes to the board with every frame: that is what a
-// stage which is killed resumes from.
+// editor, performance; each takes out what it uses. The state goes to the board with every frame: that is
+// what a stage which is killed resumes from.
 scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   const board::Snapshot& snapshot = evening_ ? WithEvening(live, presented_at) : live;
   performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);

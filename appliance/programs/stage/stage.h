@@ -54,15 +54,17 @@ class Stage {
   void SetEditor(std::unique_ptr<editor::ExpressionEditor> editor) { editor_ = std::move(editor); }
   const editor::ExpressionEditor* expression_editor() const { return editor_.get(); }
 
-  // From the next frame on each is noted there, seen or not. The recorder outlives the stage; null: no longer.
+  // From the next frame on each is noted there, seen or not. The recorder outlives the stage; null: no
+  // longer.
   void SetLog(showlog::Recorder* log) { log_ = log; }
   // Lines over the picture from the next frame on, for whoever services the box; none in a show.
   void SetNotice(const std::vector<std::string>& lines) {
     if (lines != notice_) notice_ = lines;
   }
 
-  // Plays an evening again from its log, from the next frame on, without the part of one operator, which is live. When it is
-  // over, or where its log has a gap, all of the board is live. The evening was opened on the studio's show.
+  // Plays an evening again from its log, from the next frame on, without the part of one operator, which is
+  // live. When it is over, or where its log has a gap, all of the board is live. The evening was opened on
+  // the studio's show.
   void PlayOver(std::unique_ptr<showlog::MinusOne> evening) { evening_ = std::move(evening); }
 
   // Called after each frame that the screen has accepted; until it returns the next one waits.
@@ -91,8 +93,9 @@ class Stage {
   // jump is seen later. Some 30 times a second are enough.
   void StepUnseen();
 
-  // How long a frame usually takes, for the watchdog; 0 before the first. Until 100 were drawn, which may compile shaders, it
-  // is so much that the watchdog waits for 20 of the slowest so far, and for ten seconds at least.
+  // How long a frame usually takes, for the watchdog; 0 before the first. Until 100 were drawn, which may
+  // compile shaders, it is so much that the watchdog waits for 20 of the slowest so far, and for ten seconds
+  // at least.
   Duration usual_turn() const;
 
   // True where it goes on from the state of an earlier stage.
@@ -116,7 +119,8 @@ class Stage {
   // What the editor leaves of the board; a show that is locked has no editor.
   const board::Snapshot& PlayEditor(const board::Snapshot& snapshot, performance::InputEvents& events,
                                     Time presented_at);
-  // The frame of what is left of the board, noted in the log. `changed`: an editor has changed the state before it.
+  // The frame of what is left of the board, noted in the log. `changed`: an editor has changed the state
+  // before it.
   performance::Performed AnimateAndNote(const board::Snapshot& snapshot,
                                         const performance::InputEvents& events, Time presented_at,
                                         bool changed);

@@ -37,8 +37,8 @@ constexpr std::string_view kStageHelp = R"(kaori-stage: draws the face that the 
 
 }  // namespace
 
-// A rehearsal needs nothing but its pack. Whoever plays needs a board, a show, and a screen of one kind: that of the simulator
-// or a graphics card.
+// A rehearsal needs nothing but its pack. Whoever plays needs a board, a show, and a screen of one kind: that
+// of the simulator or a graphics card.
 std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
   Options options(kStageHelp);
   options.Text("--board", into.board)

@@ -16,8 +16,8 @@ struct StageOptions {
   bool early = false, verified = false;
 };
 
-// Reads the command line into `into`. The exit status where the program is done with it: 0 for --help, 2 where it is
-// misused, which was logged. Whether a mode can be shown is for the caller to judge.
+// Reads the command line into `into`. The exit status where the program is done with it: 0 for --help, 2
+// where it is misused, which was logged. Whether a mode can be shown is for the caller to judge.
 std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into);
 
 }  // namespace kaori::stage

@@ -19,8 +19,8 @@ constexpr auto kDiskPause = 1s;        // Before a file that could not be writte
 
 }  // namespace
 
-// The file of screens is written on the writer's thread, from a copy that is taken under the lock: the stage's
-// thread never waits for a disk.
+// The file of screens is written on the writer's thread, from a copy that is taken under the lock: the
+// stage's thread never waits for a disk.
 StageStatusDisplay::StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places)
     : board_(board), clock_(clock), places_(std::move(places)), writer_(kDiskPause, [this] {
         std::unique_lock lock(text_mutex_);
@@ -29,7 +29,8 @@ StageStatusDisplay::StageStatusDisplay(const board::Board& board, const Clock& c
         return WriteWholeFile(places_.screens, {AsBytes(text)}).has_value();
       }) {}
 
-// A display that is busy with the last rows is no failure: what it was not shown is owed and comes at the next step.
+// A display that is busy with the last rows is no failure: what it was not shown is owed and comes at the
+// next step.
 void StageStatusDisplay::Step(ports::Scanout* screen) {
   LookAtScreens(screen);
   ports::StatusDisplay* const display = screen == nullptr ? nullptr : screen->status_display();
@@ -56,7 +57,8 @@ void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
   facts_read_ = {};
 }
 
-// Files are looked at once a second, or when the screens have changed; the board is memory and read at each step.
+// Files are looked at once a second, or when the screens have changed; the board is memory and read at each
+// step.
 void StageStatusDisplay::LookAtFacts() {
   const Time now = clock_.now();
   if (facts_read_ != Time{} && now - facts_read_ < kFactsPeriod) return;

@@ -1,5 +1,6 @@
-// The stage's status display: shows on a screen beside the show's how the box does, and leaves a file for others that
-// says what screens there are. It is the same text as kaori-status prints, drawn by processor in small portions.
+// The stage's status display: shows on a screen beside the show's how the box does, and leaves a file for
+// others that says what screens there are. It is the same text as kaori-status prints, drawn by processor in
+// small portions.
 #pragma once
 
 #include <mutex>
@@ -28,8 +29,8 @@ class StageStatusDisplay {
 
   static constexpr Duration kPeriod = std::chrono::milliseconds(100);
 
-  // What the show's own screen says to whoever services the box, where there is no other one: the stick's shows. Of the
-  // last time that files were looked at, by Step.
+  // What the show's own screen says to whoever services the box, where there is no other one: the stick's
+  // shows. Of the last time that files were looked at, by Step.
   const std::vector<std::string>& notice() const { return notice_; }
 
  private:

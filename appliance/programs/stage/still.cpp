@@ -23,7 +23,8 @@ std::vector<std::uint8_t> WithoutFourth(const std::vector<std::uint8_t>& pixels)
 
 }  // namespace
 
-// 960 pixels are enough for a splash that is stretched over the screen for a second or two, and keep the image small.
+// 960 pixels are enough for a splash that is stretched over the screen for a second or two, and keep the
+// image small.
 Result<void> WriteStill(Studio& studio, const std::filesystem::path& file) {
   SmallImage image;
   if (!studio.ReadSmall(kMostWidth_px, image)) return Fail(std::errc::no_such_device, "draw a still");

@@ -38,7 +38,8 @@ Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& p
   return {};
 }
 
-// The window is made when its first picture comes, since only the screen knows it; so is the pass that copies.
+// The window is made when its first picture comes, since only the screen knows it; so is the pass that
+// copies.
 Result<void> Studio::ShowIn(void* window) {
   if (window_.native() != window) {
     CloseWindow();

@@ -50,14 +50,15 @@ class PreparedShow {
 // One thread: the one that opened it, since a GL context belongs to one. It owns the show from then on.
 class Studio {
  public:
-  // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context and Painter.
+  // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context
+  // and Painter.
   static Result<std::unique_ptr<Studio>> Open(show::Show show, void* gbm = nullptr);
   // The same in a context of the caller's, which is current on this thread. Errors: those of Painter.
   static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared,
                                               std::unique_ptr<gl::Context> context);
 
-  // For a simulator that plays hours in minutes: of so many pictures one is drawn, the first one of them, and the others keep
-  // what they hold. 1 or more.
+  // For a simulator that plays hours in minutes: of so many pictures one is drawn, the first one of them, and
+  // the others keep what they hold. 1 or more.
   void DrawOneOf(int pictures) { one_of_ = static_cast<std::uint64_t>(pictures); }
   // Whether the last Draw drew.
   bool drew() const { return drew_; }
@@ -100,7 +101,8 @@ class Studio {
   std::unique_ptr<gl::Context> context_;  // First in, last out: the rest lives in it.
   std::unique_ptr<PreparedShow> prepared_;
   std::unique_ptr<passes::Painter> painter_;
-  // What was drawn last, at the size of the screen; the window that it was shown in, where the screen has one.
+  // What was drawn last, at the size of the screen; the window that it was shown in, where the screen has
+  // one.
   gl::Canvas canvas_;
   gl::Window window_;
   std::optional<passes::ScreenPass> screen_pass_;

@@ -30,7 +30,8 @@ struct Facts {
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.
   // What whoever stands before the box is to know of what he has just done, one line each.
   std::vector<std::string> notices;
-  // Which shows a stick holds, and how bringing one in stands; those of its lines that the font has letters for.
+  // Which shows a stick holds, and how bringing one in stands; those of its lines that the font has letters
+  // for.
   std::vector<std::string> shows{};
 
   friend bool operator==(const Facts&, const Facts&) = default;

@@ -52,7 +52,8 @@ Line Title(const Facts& facts) {
   return {Mark::kTitle, "Kaori box", words};
 }
 
-// From the most basic thing to the finest: a screen, a stage, a picture that is not old, and only then figures.
+// From the most basic thing to the finest: a screen, a stage, a picture that is not old, and only then
+// figures.
 Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time now) {
   if (!has_screen) return {Mark::kFault, "show", "There is no screen for the picture."};
   if (stage.source == SourceState::kAbsent)
@@ -192,7 +193,8 @@ bool IsCheckRunning(const State& state) {
          state.now - check.at < kLate;
 }
 
-// The last one, until the box is switched off: what failed before the house opened is worth knowing in the show.
+// The last one, until the box is switched off: what failed before the house opened is worth knowing in the
+// show.
 void AddLastCheck(const State& state, std::vector<Line>& lines) {
   const auto& check = state.board.line_check;
   if (check.source != SourceState::kLive || check.value.phase != board::LineCheckPhase::kEnded) return;

@@ -42,8 +42,8 @@ struct State {
 // Reads all that the status depends on. Blocks for nothing.
 State Look(const board::Board& board, Facts facts, Time now);
 
-// Describes a state: the title, then faults and notices, then the show, its screens and its devices. Equal states give
-// equal lines, and spans of time are so rough that a line seldom changes. Pure.
+// Describes a state: the title, then faults and notices, then the show, its screens and its devices. Equal
+// states give equal lines, and spans of time are so rough that a line seldom changes. Pure.
 std::vector<Line> Describe(const State& state);
 
 // The lines as text, one a line: "!" marks a fault and "-" something that is missing. Pure.

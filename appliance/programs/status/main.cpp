@@ -1,7 +1,8 @@
 // kaori-status: prints the status of the box, or draws it as a picture.
 //
-// It looks once, writes to standard output, and ends: with status 0 whatever the box is missing, 1 where there
-// is no board or the picture cannot be written, and 2 where it is misused. It changes nothing on the box.
+// It looks once, writes to standard output, and ends: with status 0 whatever the box is missing, 1 where
+// there is no board or the picture cannot be written, and 2 where it is misused. It changes nothing on the
+// box.
 #include <cstdio>
 
 #include "appliance/programs/status/facts.h"

@@ -78,8 +78,8 @@ Sheet::Rows Sheet::RowsOf(int row) const {
   return {end - pitch_px_, end};
 }
 
-// Letters are counted, and not measured: that takes no time beside the show. DrawRow cuts what is too long all the
-// same.
+// Letters are counted, and not measured: that takes no time beside the show. DrawRow cuts what is too long
+// all the same.
 std::vector<Line> Sheet::Broken(const std::vector<Line>& lines) const {
   const int letters = (picture_.width_px - pitch_px_ / 2 - words_px_) * 100 / (size_px_ * kWordWidth);
   const auto fits = [letters](std::string_view text) { return static_cast<int>(text.size()) <= letters; };
@@ -93,7 +93,8 @@ std::vector<Line> Sheet::Broken(const std::vector<Line>& lines) const {
   return rows;
 }
 
-// The first row whose mark changed, else the first one whose words did. Rows without a line count as blank ones.
+// The first row whose mark changed, else the first one whose words did. Rows without a line count as blank
+// ones.
 std::optional<std::size_t> Sheet::Changed(const std::vector<Line>& rows) const {
   std::optional<std::size_t> changed;
   for (std::size_t row = 0; row < stands_.size(); ++row) {
@@ -116,7 +117,8 @@ std::optional<Sheet::Rows> Sheet::DrawNext(const std::vector<Line>& lines) {
   return RowsOf(static_cast<int>(*row));
 }
 
-// A square in the mark's colour, what the line is about, and its words; too long a text is shortened with dots.
+// A square in the mark's colour, what the line is about, and its words; too long a text is shortened with
+// dots.
 void Sheet::DrawRow(int row, const Line& line) {
   const Rows rows = RowsOf(row);
   const int bottom = rows.first, top = rows.end;

@@ -23,9 +23,9 @@ class Sheet {
     int end = 0;
   };
   // Draws one row of text that changed, so that a caller with little time draws one now and then, and returns
-  // its rows of pixels. A line that is too long goes on in the next row of text. A row whose mark changed comes
-  // first. Returns nothing when the picture is up to date. The last row counts those for which there is no
-  // room.
+  // its rows of pixels. A line that is too long goes on in the next row of text. A row whose mark changed
+  // comes first. Returns nothing when the picture is up to date. The last row counts those for which there is
+  // no room.
   std::optional<Rows> DrawNext(const std::vector<Line>& lines);
 
   const image::Picture& picture() const { return picture_; }

@@ -1,8 +1,8 @@
-// kaori-surface: says which control surfaces are plugged in, and brings new firmware onto one of them, or as a service of the
-// box onto all of them, one after the other.
+// kaori-surface: says which control surfaces are plugged in, and brings new firmware onto one of them, or as
+// a service of the box onto all of them, one after the other.
 //
-// It ends with status 0 where the update is confirmed, 1 where it is not, and 2 where it is misused. Whatever happens the surface
-// plays on, from the new image or from the one before.
+// It ends with status 0 where the update is confirmed, 1 where it is not, and 2 where it is misused. Whatever
+// happens the surface plays on, from the new image or from the one before.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -88,7 +88,8 @@ int List(kaori::ports::HidBus& bus) {
   return dial_boxes;
 }
 
-// As the board says; without one there is neither a stage nor a key. The board is opened at each look, since it may be made anew.
+// As the board says; without one there is neither a stage nor a key. The board is opened at each look, since
+// it may be made anew.
 struct BoxNow {
   bool stage_runs = false;
   bool key_is_on = false;
@@ -112,8 +113,8 @@ kaori::surface_update::Circumstances CircumstancesOf(const BoxNow& box, int dial
           .dial_boxes = dial_boxes};
 }
 
-// One surface, once: each change of state is a line for whoever waits. The loop may also be ended by a signal,
-// before there is an outcome; that is no success.
+// One surface, once: each change of state is a line for whoever waits. The loop may also be ended by a
+// signal, before there is an outcome; that is no success.
 int Update(const Settings& settings, kaori::ports::HidBus& bus, int dial_boxes, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   const auto file = kaori::surface_update::ReadUpdateFile(settings.update);
@@ -159,8 +160,8 @@ std::vector<UpdateFile> ReadUpdates(const std::string& folder) {
   return files;
 }
 
-// A stage that has crashed is no service: here the key alone counts. The board is looked at once a second while nothing
-// is updated.
+// A stage that has crashed is no service: here the key alone counts. The board is looked at once a second
+// while nothing is updated.
 int Serve(const Settings& settings, kaori::ports::HidBus& bus, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   kaori::surface_update::UpdateService service(bus, ReadUpdates(settings.updates));

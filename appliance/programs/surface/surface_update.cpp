@@ -87,8 +87,8 @@ void SurfaceUpdate::Step(Time now) {
   if (state_ == State::kTrying) Watch(now);
 }
 
-// The list of ports is asked first: over a restart an empty port is the usual state, and opening it would only
-// fail.
+// The list of ports is asked first: over a restart an empty port is the usual state, and opening it would
+// only fail.
 bool SurfaceUpdate::HasChannel() {
   if (channel_) return true;
   const auto ports = bus_.Ports();
@@ -112,7 +112,8 @@ Result<void> SurfaceUpdate::Command(SurfaceOperation operation, std::span<const 
   return channel_->SetFeature(report);
 }
 
-// A surface that went away, or lost its place, is begun with anew; one that refuses from the beginning is believed.
+// A surface that went away, or lost its place, is begun with anew; one that refuses from the beginning is
+// believed.
 void SurfaceUpdate::Send(Time now) {
   if (!HasChannel()) {
     if (now >= give_up_at_) Fail("it is not there");
@@ -156,7 +157,8 @@ Result<void> SurfaceUpdate::Begin() {
   return {};
 }
 
-// Some pieces, and after the last of them the restart. The restart's own answer may be lost with the cable's end.
+// Some pieces, and after the last of them the restart. The restart's own answer may be lost with the cable's
+// end.
 Result<void> SurfaceUpdate::SendPieces() {
   for (int n = 0; n < kPiecesAtOnce && sent_ < file_.bytes.size(); ++n) {
     const auto piece =

@@ -1,4 +1,5 @@
-// Brings new firmware onto a control surface that plays, by its HID feature report (firmware/wire/surface_feature.h).
+// Brings new firmware onto a control surface that plays, by its HID feature report
+// (firmware/wire/surface_feature.h).
 #pragma once
 
 #include <cstdint>
@@ -44,15 +45,17 @@ struct Circumstances {
   bool show_runs = false;   // The audience sees the face.
   int dial_boxes = 0;       // That are plugged in now.
 };
-// Errors: operation_not_permitted, in words: the box is not in service, or this is the last dial box of a running show.
+// Errors: operation_not_permitted, in words: the box is not in service, or this is the last dial box of a
+// running show.
 Result<void> MayUpdate(const wire::SurfaceImage& image, const Circumstances& now);
 
-// What a surface says of itself. Errors: those of HidChannel::GetFeature; bad_message, where the answer is too short.
+// What a surface says of itself. Errors: those of HidChannel::GetFeature; bad_message, where the answer is
+// too short.
 Result<wire::SurfaceStatus> ReadStatus(ports::HidChannel& channel);
 
-// Sends, restarts, watches for ten seconds, and confirms. Nothing that happens on the way leaves a dead surface: what is not
-// confirmed is given up by the surface itself after three starts. A surface that goes away while it is sent to is sent to again,
-// three times at most. One thread; one at a time.
+// Sends, restarts, watches for ten seconds, and confirms. Nothing that happens on the way leaves a dead
+// surface: what is not confirmed is given up by the surface itself after three starts. A surface that goes
+// away while it is sent to is sent to again, three times at most. One thread; one at a time.
 class SurfaceUpdate {
  public:
   enum class State : std::uint8_t { kSending, kRestarting, kTrying, kDone, kFailed };
@@ -61,7 +64,8 @@ class SurfaceUpdate {
   // Borrows the bus and the file.
   SurfaceUpdate(ports::HidBus& bus, std::string port, const UpdateFile& file);
 
-  // The next piece of work, to be called every 20 ms or so. It takes as long as the surface needs for its flash, 0.4 s at most.
+  // The next piece of work, to be called every 20 ms or so. It takes as long as the surface needs for its
+  // flash, 0.4 s at most.
   void Step(Time now);
 
   State state() const { return state_; }

@@ -38,8 +38,8 @@ void UpdateService::Begin(const Due& due) {
   update_.emplace(bus_, due.port, *due.file);
 }
 
-// What failed is remembered by the chip and not by the port, so that a surface which is plugged in elsewhere is
-// known.
+// What failed is remembered by the chip and not by the port, so that a surface which is plugged in elsewhere
+// is known.
 void UpdateService::Go(Time now) {
   update_->Step(now);
   const bool is_done = update_->state() == SurfaceUpdate::State::kDone;
@@ -77,8 +77,8 @@ std::vector<UpdateService::Due> UpdateService::Look(int& dial_boxes) {
   return dues;
 }
 
-// Due is what is older than the newest file, and what tries that very version without a confirmation. A surface
-// that is newer than all files keeps what it has.
+// Due is what is older than the newest file, and what tries that very version without a confirmation. A
+// surface that is newer than all files keeps what it has.
 std::optional<UpdateService::Due> UpdateService::DueAt(ports::HidChannel& channel) {
   const UpdateFile* const file = NewestFor(ProductOf(channel.identity()));
   if (file == nullptr) return std::nullopt;

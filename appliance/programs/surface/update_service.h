@@ -13,17 +13,17 @@
 
 namespace kaori::surface_update {
 
-// Each surface whose firmware is older than the box's update for it gets that update, one after the other, and one that was
-// left in the middle of being tried is watched to its end. What failed on a chip is not tried on it again before the
-// program is started anew. One thread.
+// Each surface whose firmware is older than the box's update for it gets that update, one after the other,
+// and one that was left in the middle of being tried is watched to its end. What failed on a chip is not
+// tried on it again before the program is started anew. One thread.
 class UpdateService {
  public:
   // Borrows the bus.
   UpdateService(ports::HidBus& bus, std::vector<UpdateFile> files) : bus_(bus), files_(std::move(files)) {}
 
-  // The next piece of work, to be called every 50 ms or so. Looks at the surfaces once a second while the box is in service;
-  // an update that has begun goes on to its end. How many dial boxes there are it counts itself. Blocks as
-  // SurfaceUpdate::Step, and as the bus does where a device was just plugged in.
+  // The next piece of work, to be called every 50 ms or so. Looks at the surfaces once a second while the box
+  // is in service; an update that has begun goes on to its end. How many dial boxes there are it counts
+  // itself. Blocks as SurfaceUpdate::Step, and as the bus does where a device was just plugged in.
   void Step(Circumstances box, Time now);
 
   bool is_updating() const { return update_.has_value(); }

@@ -64,7 +64,8 @@ std::vector<std::string> LacksOf(const libcamera::ControlInfoMap& has) {
 
 }  // namespace
 
-// On libcamera's thread, with each completed request. A value that the metadata lack keeps what was found before.
+// On libcamera's thread, with each completed request. A value that the metadata lack keeps what was found
+// before.
 void LibcameraHold::Note(const libcamera::ControlList& metadata) {
   const std::lock_guard lock(mutex_);
   if (const auto exposure = metadata.get(controls::ExposureTime)) found_.exposure_us = *exposure;

@@ -39,7 +39,8 @@ constexpr std::uint32_t kTickEnable = 1U << 9, kTickCycles = 12;
 // "SLT" and the number of the slot.
 constexpr std::uint32_t kSlotMark = 0x534C5400;
 
-// In the order that the data sheet asks for: divisor, power, wait for the lock, and only then the dividers behind it.
+// In the order that the data sheet asks for: divisor, power, wait for the lock, and only then the dividers
+// behind it.
 void StartPll(const Pll& pll) {
   At(pll.address) = 1;  // The crystal is not divided.
   At(pll.address + kPllTimes) = pll.times;
@@ -99,8 +100,8 @@ void SetUp(std::span<const Pin> pins) {
   }
 }
 
-// The tick of the watchdog is the crystal by 12: one a microsecond. Longer times than the counter holds become the
-// longest, 8.4 s.
+// The tick of the watchdog is the crystal by 12: one a microsecond. Longer times than the counter holds
+// become the longest, 8.4 s.
 void Watch(std::uint32_t milliseconds) {
   const std::uint32_t count = milliseconds * kWatchdogPerMs;
   At(kWatchdogTick) = kTickEnable | kTickCycles;

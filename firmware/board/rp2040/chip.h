@@ -16,8 +16,8 @@ void StartClocks();
 void Release(std::uint32_t blocks);
 void SetUp(std::span<const Pin> pins);
 
-// Restarts the chip when this is not called again for so long, 8 s at most. Before the clocks are started it counts the
-// reference clock, which is then half as fast.
+// Restarts the chip when this is not called again for so long, 8 s at most. Before the clocks are started it
+// counts the reference clock, which is then half as fast.
 void Watch(std::uint32_t milliseconds);
 // Restarts the chip now.
 [[noreturn]] void Restart();

@@ -16,7 +16,8 @@ constexpr std::uint32_t kSelect = 1U << kConverterSelectPin;
 
 }  // namespace
 
-// The select line is high before the SPI is on: a converter that saw half a command would answer the next one wrong.
+// The select line is high before the SPI is on: a converter that saw half a command would answer the next one
+// wrong.
 void Converter::Start() {
   Release(kResetSpi1);
   At(kPinsSet) = kSelect;
@@ -25,7 +26,8 @@ void Converter::Start() {
   At(kSpi1 + kSpiControl1) = kEnable;
 }
 
-// Five zeros, a start bit, single-ended, three bits of the channel; the code follows a null bit (MCP3208 data sheet, 6.1).
+// Five zeros, a start bit, single-ended, three bits of the channel; the code follows a null bit (MCP3208 data
+// sheet, 6.1).
 std::uint16_t Converter::Read(unsigned channel) {
   At(kPinsClear) = kSelect;
   At(kSpi1 + kSpiData) = 0x06U | channel >> 2;

@@ -1,5 +1,5 @@
-// An MCP3208 on SPI1: the stick's potentiometers. The chip's own converter jumps at some codes (RP2040-E11), which a slow turn
-// of a head would show.
+// An MCP3208 on SPI1: the stick's potentiometers. The chip's own converter jumps at some codes (RP2040-E11),
+// which a slow turn of a head would show.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,8 @@
 namespace kaori::rp2040 {
 namespace {
 
-// Whose images the updater accepts, in the form that the image's own head has: vendor id * 65536 + product id.
+// Whose images the updater accepts, in the form that the image's own head has: vendor id * 65536 + product
+// id.
 constexpr std::uint32_t kProduct = std::uint32_t{wire::kDialBoxVendor} << 16 | wire::kDialBoxProduct;
 static_assert(surface::DialBox::kLooksPerSecond == kLooksPerSecond);
 
@@ -38,9 +39,9 @@ void Look() {
   CountLook();
 }
 
-// The watchdog runs before anything that could wait for ever. The device connects to USB only when all is built
-// that answers the host, and the box is named to the interrupt before the timer calls Look. All objects live on
-// this stack for good, since Run does not return.
+// The watchdog runs before anything that could wait for ever. The device connects to USB only when all is
+// built that answers the host, and the box is named to the interrupt before the timer calls Look. All objects
+// live on this stack for good, since Run does not return.
 void Main() {
   Watch(kWatchdogMs);
   StartClocks();

@@ -1,4 +1,5 @@
-// Which pin of the RP2040 goes where: the firmware uses this table, and so does the wiring page (firmware/images.py reads it).
+// Which pin of the RP2040 goes where: the firmware uses this table, and so does the wiring page
+// (firmware/images.py reads it).
 #pragma once
 
 #include <array>

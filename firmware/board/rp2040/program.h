@@ -22,8 +22,8 @@ inline void CountLook() {
 // From here on the timer calls Look.
 void StartLooking();
 
-// Serves USB at each look and calls `tick` a few thousand times a second, for ever: until the surface wants a restart, or
-// something stands still and the watchdog bites.
+// Serves USB at each look and calls `tick` a few thousand times a second, for ever: until the surface wants a
+// restart, or something stands still and the watchdog bites.
 template <class Surface, class Tick>
 [[noreturn]] void Run(Surface& surface, surface::UsbDevice& device, UsbController& usb, Tick tick) {
   constexpr std::uint32_t kLooksInATick = kLooksPerSecond / Surface::kTicksPerSecond;
@@ -39,7 +39,8 @@ template <class Surface, class Tick>
     // After an operation of the flash, which takes many ticks, there is one.
     ticked_at = now;
     tick();
-    // Here the looks have moved, and USB and the reports had their turn: whichever stands still, the watchdog bites.
+    // Here the looks have moved, and USB and the reports had their turn: whichever stands still, the watchdog
+    // bites.
     Watch(kWatchdogMs);
     if (!surface.wants_restart()) restart_at = now + kLooksToRestart;
     if (static_cast<std::int32_t>(now - restart_at) > 0) Restart();

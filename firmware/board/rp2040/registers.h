@@ -1,4 +1,5 @@
-// The registers of the RP2040 that this firmware uses. Source: RP2040 datasheet, at the sections that are named.
+// The registers of the RP2040 that this firmware uses. Source: RP2040 datasheet, at the sections that are
+// named.
 #pragma once
 
 #include <cstdint>

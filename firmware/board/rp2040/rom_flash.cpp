@@ -21,7 +21,8 @@ std::uint32_t RomHalf(std::uint32_t address) {
   return *reinterpret_cast<const volatile std::uint16_t*>(address);
 }
 
-// Walks the ROM's table to the code. All codes of this file are in every ROM of the chip, so that there is an end.
+// Walks the ROM's table to the code. All codes of this file are in every ROM of the chip, so that there is an
+// end.
 template <class Function>
 Function Rom(std::uint16_t code) {
   std::uint32_t entry = RomHalf(kFunctionTable);
@@ -38,8 +39,8 @@ using UsbBoot = void (*)(std::uint32_t lamp_pins, std::uint32_t disabled);
 // Blocks of 64 KB would be erased by D8h where they fit: a sector never does.
 constexpr std::uint32_t kBlockBytes = 65536;
 constexpr std::uint8_t kBlockErase = 0xD8;
-// How long the watchdog waits while the flash works. A command takes 0.4 s at most (Flash); the rest is for a chip that
-// is slow with age.
+// How long the watchdog waits while the flash works. A command takes 0.4 s at most (Flash); the rest is for a
+// chip that is slow with age.
 constexpr std::uint32_t kLongestOperationMs = 8000;
 
 // The flash takes commands from its making on, and is memory again after it.
@@ -82,7 +83,8 @@ std::span<const std::uint8_t> RomFlash::Read(std::uint32_t at, std::size_t bytes
   return {reinterpret_cast<const std::uint8_t*>(kFlashMemory + at), bytes};
 }
 
-// Interrupts look at the dials meanwhile: they and all that they call lie in RAM, for which the image is linked.
+// Interrupts look at the dials meanwhile: they and all that they call lie in RAM, for which the image is
+// linked.
 void RomFlash::Erase(std::uint32_t at) {
   const CommandMode mode;
   Rom<RangeErase>(Code('R', 'E'))(at, surface::kSectorBytes, kBlockBytes, kBlockErase);
@@ -97,7 +99,8 @@ void RomFlash::Program(std::uint32_t at, std::span<const std::uint8_t> bytes) {
   Rom<RangeProgram>(Code('R', 'P'))(at, page.data(), surface::kPageBytes);
 }
 
-// Command 4Bh of the W25Q flash: four bytes that say nothing, then eight of the number that each chip has alone.
+// Command 4Bh of the W25Q flash: four bytes that say nothing, then eight of the number that each chip has
+// alone.
 std::array<std::uint8_t, 8> RomFlash::UniqueId() {
   constexpr std::uint8_t kReadUniqueId = 0x4B;
   const CommandMode mode;

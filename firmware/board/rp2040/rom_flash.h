@@ -9,8 +9,9 @@
 
 namespace kaori::rp2040 {
 
-// Code that calls this lies in RAM: while an operation runs, the flash cannot be read. Interrupts go on. The watchdog is given
-// eight seconds before each operation, and whoever feeds it makes that less again. One side.
+// Code that calls this lies in RAM: while an operation runs, the flash cannot be read. Interrupts go on. The
+// watchdog is given eight seconds before each operation, and whoever feeds it makes that less again. One
+// side.
 class RomFlash final : public surface::Flash {
  public:
   std::span<const std::uint8_t> Read(std::uint32_t at, std::size_t bytes) const override;

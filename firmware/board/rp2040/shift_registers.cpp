@@ -13,7 +13,8 @@ constexpr std::uint32_t kEnable = 1U << 1;
 constexpr std::uint32_t kPrescale = 16;
 // The status register's RNE bit: a byte has come that was not read (RP2040 datasheet, 4.4.4).
 constexpr std::uint32_t kHasData = 1U << 2;
-// 32 lamps out and 32 switches in; where fewer registers hang on the line, the first bits that come are theirs.
+// 32 lamps out and 32 switches in; where fewer registers hang on the line, the first bits that come are
+// theirs.
 constexpr unsigned kBytes = 4;
 constexpr std::uint32_t kStrobe = 1U << kShiftStrobePin;
 
@@ -27,8 +28,8 @@ void ShiftRegisters::Start() {
   At(kSpi0 + kSpiControl1) = kEnable;
 }
 
-// One pulse of the strobe takes the switches into the 74HC165s and shows what the 74HC595s were sent last time; then
-// 32 bits go each way at once. The lamps are therefore one exchange late, 0.25 ms.
+// One pulse of the strobe takes the switches into the 74HC165s and shows what the 74HC595s were sent last
+// time; then 32 bits go each way at once. The lamps are therefore one exchange late, 0.25 ms.
 std::uint32_t ShiftRegisters::Exchange(std::uint32_t lamps) {
   // A 74HC165 wants 24 ns at 3 V; each store takes 8 ns, and the registers of the pins answer at once.
   for (int n = 0; n < 8; ++n) At(kPinsClear) = kStrobe;

@@ -10,8 +10,8 @@ class ShiftRegisters {
  public:
   // Its pins are set up.
   static void Start();
-  // Reads all switches, bit n: switch n is closed; and shows `lamps` from the next exchange on. The strobe that loads the
-  // switches is the one that puts out what was shifted before.
+  // Reads all switches, bit n: switch n is closed; and shows `lamps` from the next exchange on. The strobe
+  // that loads the switches is the one that puts out what was shifted before.
   static std::uint32_t Exchange(std::uint32_t lamps);
 };
 

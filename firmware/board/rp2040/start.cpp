@@ -32,8 +32,8 @@ __attribute__((section(".vectors"), used)) constexpr VectorTable kVectors{
 
 extern "C" {
 
-// The first stage has copied code and data here; what begins with zeros is cleared. There are no global constructors: the
-// linker script refuses them.
+// The first stage has copied code and data here; what begins with zeros is cleared. There are no global
+// constructors: the linker script refuses them.
 void Reset() {
   for (std::uint32_t* word = &bss_begin; word < &bss_end; ++word) *word = 0;
   kaori::rp2040::Main();

@@ -21,8 +21,8 @@ namespace {
 // Whose images the updater accepts: vendor id * 65536 + product id.
 constexpr std::uint32_t kProduct = std::uint32_t{wire::kStickPodVendor} << 16 | wire::kStickPodProduct;
 
-// Codes of 12 bits, in the order of the converter's channels, which is that of StickPod's axes. Read one after
-// the other within a tick: the first is some tens of microseconds older than the last.
+// Codes of 12 bits, in the order of the converter's channels, which is that of StickPod's axes. Read one
+// after the other within a tick: the first is some tens of microseconds older than the last.
 surface::StickPod::Codes ReadAxes() {
   surface::StickPod::Codes codes;
   for (unsigned channel = 0; channel < codes.size(); ++channel) codes[channel] = Converter::Read(channel);
@@ -41,8 +41,8 @@ void Look() {
   CountLook();
 }
 
-// As the dial box's: the watchdog first, the USB connection only when everything is there that answers the host.
-// The pod also borrows the flash, where it keeps the ends of its axes.
+// As the dial box's: the watchdog first, the USB connection only when everything is there that answers the
+// host. The pod also borrows the flash, where it keeps the ends of its axes.
 void Main() {
   Watch(kWatchdogMs);
   StartClocks();

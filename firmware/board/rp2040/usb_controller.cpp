@@ -9,7 +9,8 @@
 namespace kaori::rp2040 {
 namespace {
 
-// Places in the controller's memory (4.1.2.5.2): a control word for each endpoint but 0, a buffer word for each, buffers.
+// Places in the controller's memory (4.1.2.5.2): a control word for each endpoint but 0, a buffer word for
+// each, buffers.
 constexpr std::uint32_t kInputControl = kUsbMemory + 0x08, kOutputControl = kUsbMemory + 0x0C;
 constexpr std::uint32_t kControlInBuffer = kUsbMemory + 0x80, kControlOutBuffer = kUsbMemory + 0x84;
 constexpr std::uint32_t kInputBuffer = kUsbMemory + 0x88, kOutputBuffer = kUsbMemory + 0x8C;
@@ -37,15 +38,16 @@ std::uint8_t* Data(std::uint32_t place) {
   return reinterpret_cast<std::uint8_t*>(kUsbMemory + place);
 }
 
-// The controller runs on another clock: the bit that hands the buffer over comes some cycles after all others (4.1.2.5.1).
+// The controller runs on another clock: the bit that hands the buffer over comes some cycles after all others
+// (4.1.2.5.1).
 void HandOver(std::uint32_t buffer, std::uint32_t word) {
   At(buffer) = word;
   for (int n = 0; n < 12; ++n) asm volatile("nop");
   At(buffer) = word | kAvailable;
 }
 
-// Packets of one endpoint are even and odd in turn (DATA0, DATA1): a host that sees the same twice knows that its
-// answer was lost.
+// Packets of one endpoint are even and odd in turn (DATA0, DATA1): a host that sees the same twice knows that
+// its answer was lost.
 void Send(std::uint32_t buffer, std::uint32_t place, std::span<const std::uint8_t> packet, bool& odd) {
   volatile std::uint8_t* to = Data(place);
   for (std::size_t n = 0; n < packet.size(); ++n) to[n] = packet[n];
@@ -70,8 +72,8 @@ std::span<const std::uint8_t> Received(std::uint32_t buffer, std::uint32_t place
 
 }  // namespace
 
-// The memory is not cleared by a reset, and an old buffer word would send an old report. The pull-up comes last:
-// from then on the host sees a device.
+// The memory is not cleared by a reset, and an old buffer word would send an old report. The pull-up comes
+// last: from then on the host sees a device.
 void UsbController::Start() {
   Release(kResetUsb);
   for (std::uint32_t place = 0; place < kMemoryBytes; place += 4) At(kUsbMemory + place) = 0;
@@ -81,8 +83,8 @@ void UsbController::Start() {
   At(kUsbSieControl) = kTellEachControlBuffer | kPullUp;
 }
 
-// From the main loop, at each look; nothing in it waits. A status bit is cleared by writing it back, and before
-// the device is told: what comes while it answers sets the bit again and is found at the next look.
+// From the main loop, at each look; nothing in it waits. A status bit is cleared by writing it back, and
+// before the device is told: what comes while it answers sets the bit again and is found at the next look.
 void UsbController::Service(surface::UsbDevice& device) {
   const std::uint32_t status = At(kUsbSieStatus);
   if ((status & kBusReset) != 0) {
@@ -108,8 +110,8 @@ void UsbController::Service(surface::UsbDevice& device) {
   }
 }
 
-// A bit stands for one buffer that the host has fetched or filled. All bits that were read are cleared at once;
-// one that is set meanwhile stays for the next look.
+// A bit stands for one buffer that the host has fetched or filled. All bits that were read are cleared at
+// once; one that is set meanwhile stays for the next look.
 void UsbController::ServiceBuffers(surface::UsbDevice& device) {
   const std::uint32_t done = At(kUsbBufferStatus);
   if (done == 0) return;
@@ -170,8 +172,8 @@ void UsbController::CloseEndpoints() {
   input_free_ = true;
 }
 
-// A halt that is cleared begins at DATA0 again, whatever the toggle was (USB 2.0, 9.4.5). A report that waited in
-// the input buffer is lost with it.
+// A halt that is cleared begins at DATA0 again, whatever the toggle was (USB 2.0, 9.4.5). A report that
+// waited in the input buffer is lost with it.
 void UsbController::SetHalt(std::uint8_t endpoint, bool halted) {
   if (endpoint == surface::kInputEndpoint) {
     At(kInputBuffer) = halted ? kStall : 0;

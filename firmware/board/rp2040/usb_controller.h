@@ -1,4 +1,5 @@
-// The RP2040's USB device controller: packets of the control and interrupt endpoints, asked for and never waited for.
+// The RP2040's USB device controller: packets of the control and interrupt endpoints, asked for and never
+// waited for.
 #pragma once
 
 #include <cstdint>

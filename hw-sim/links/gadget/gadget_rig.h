@@ -1,5 +1,5 @@
-// The simulated input devices, each at a USB device controller of this machine: a real box hangs at the other end of real
-// cables.
+// The simulated input devices, each at a USB device controller of this machine: a real box hangs at the other
+// end of real cables.
 #pragma once
 
 #include <map>

@@ -7,9 +7,9 @@
 
 namespace kaori::sim {
 
-// As LinkPort. A driver is told the levels when it comes, and every edge from then on, in order. One that reads
-// too slowly is told later; what is lost for one that does not read at all is said at LinePanel::NextEdge. One
-// thread.
+// As LinkPort. A driver is told the levels when it comes, and every edge from then on, in order. One that
+// reads too slowly is told later; what is lost for one that does not read at all is said at
+// LinePanel::NextEdge. One thread.
 class LinesPort final : public LinkPort {
  public:
   // Borrows the panel and the clock, which must outlive the port.

@@ -52,9 +52,9 @@ class Rig final : public DeviceRig {
   ~Rig() override;
 
   // Accepts, receives and sends whatever is due at clock.now(): reports that wait, a camera frame, a flip.
-  // Never blocks. Call it when pollable() is readable, and after actions were done or time has passed. A frame that was
-  // presented before this call and after the last one is shown at a vertical blank between the two, if there
-  // is one.
+  // Never blocks. Call it when pollable() is readable, and after actions were done or time has passed. A
+  // frame that was presented before this call and after the last one is shown at a vertical blank between the
+  // two, if there is one.
   void Pump();
 
   // An epoll descriptor of every socket, and of the timer; readable when Pump has something to do.
@@ -77,8 +77,8 @@ class Rig final : public DeviceRig {
   const Clock& clock() const { return context_.clock; }
 
   // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen, pointer,
-  // microphone, loudspeaker, lines. Plugging what is plugged, or unplugging what is not, does nothing. Errors:
-  // invalid_argument (no such port), those of sockets.
+  // microphone, loudspeaker, lines. Plugging what is plugged, or unplugging what is not, does nothing.
+  // Errors: invalid_argument (no such port), those of sockets.
   Result<void> Plug(std::string_view name);
   Result<void> Unplug(std::string_view name);
   // False for a name that is no port.

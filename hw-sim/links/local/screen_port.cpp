@@ -16,7 +16,8 @@ std::optional<Time> ScreenPort::next_due() const {
   return screen_.blank_at(last_blank_ + 1);
 }
 
-// Every driver gets memory of its own: the picture that stands belongs to the one before, whether that still runs or not.
+// Every driver gets memory of its own: the picture that stands belongs to the one before, whether that still
+// runs or not.
 bool ScreenPort::Greet() {
   const ScreenMode mode = screen_.mode();
   auto memory = SharedMemory::Make("kaori-screen", kSlots * PictureBytes(mode));

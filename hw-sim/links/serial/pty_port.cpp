@@ -9,8 +9,8 @@
 
 namespace kaori::sim {
 
-// The name is a link that is made last: a driver that finds it finds a line that works. Plugging in twice does
-// nothing.
+// The name is a link that is made last: a driver that finds it finds a line that works. Plugging in twice
+// does nothing.
 Result<void> PtyPort::Plug() {
   if (box_end_.valid()) return {};
   UniqueFd box_end(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));

@@ -1,4 +1,5 @@
-// A serial box at the other end of a pseudo-terminal, where a driver of the product finds it as a serial line.
+// A serial box at the other end of a pseudo-terminal, where a driver of the product finds it as a serial
+// line.
 #pragma once
 
 #include <string>
@@ -10,11 +11,13 @@
 
 namespace kaori::sim {
 
-// A pseudo-terminal keeps the line's settings: where the driver set another speed than the box has, bytes arrive spoilt. A
-// kernel passes bytes on by itself, some microseconds after they were written. One thread; nothing blocks.
+// A pseudo-terminal keeps the line's settings: where the driver set another speed than the box has, bytes
+// arrive spoilt. A kernel passes bytes on by itself, some microseconds after they were written. One thread;
+// nothing blocks.
 class PtyPort {
  public:
-  // `path` is where the driver looks, such as a name in a folder of its own. Borrows the box. Unplugged at first.
+  // `path` is where the driver looks, such as a name in a folder of its own. Borrows the box. Unplugged at
+  // first.
   PtyPort(std::string path, SerialDialBox& box) : path_(std::move(path)), box_(box) {}
   PtyPort(const PtyPort&) = delete;
   PtyPort& operator=(const PtyPort&) = delete;

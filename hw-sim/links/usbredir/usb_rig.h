@@ -52,8 +52,8 @@ class UsbRig final : public DeviceRig {
   Result<void> Unplug(std::string_view name);
   const UsbredirPort* port(std::string_view name) const;  // Null: no such socket.
 
-  // Another device at the end of a cable, which must be out; null: the rig's own again. The device outlives its turn.
-  // Errors: as Plug.
+  // Another device at the end of a cable, which must be out; null: the rig's own again. The device outlives
+  // its turn. Errors: as Plug.
   Result<void> Hold(std::string_view name, UsbDevice* device);
 
   // Swaps what hangs on the cables of the two sticks, which must be out: a test that roles

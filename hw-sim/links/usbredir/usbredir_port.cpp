@@ -126,8 +126,8 @@ void UsbredirPort::Greeted() {
   if (plugged_) Announce();
 }
 
-// Configuration 0 is that of a device that was not configured yet; there is no second one. Endpoints are said anew before
-// the answer, since the machine looks at them as it reads that.
+// Configuration 0 is that of a device that was not configured yet; there is no second one. Endpoints are said
+// anew before the answer, since the machine looks at them as it reads that.
 void UsbredirPort::SetConfiguration(std::uint64_t id, std::uint8_t number) {
   configured_ = number == 1;
   wire_->Describe(device_->descriptors());
@@ -149,7 +149,8 @@ void UsbredirPort::GetAlternate(std::uint64_t id, std::uint8_t interface) {
   wire_->AlternateStatus(id, RedirStatus::kDone, interface);
 }
 
-// The device knows best; what it leaves alone may be what every device answers alike. Nothing: the request stalls.
+// The device knows best; what it leaves alone may be what every device answers alike. Nothing: the request
+// stalls.
 void UsbredirPort::Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) {
   auto answer = announced_ ? device_->Answer(setup, data) : std::nullopt;
   if (!answer && announced_) answer = AnswerStandard(device_->descriptors(), setup);

@@ -150,7 +150,8 @@ std::string CommandText(const Command& command) {
   return verb->arguments == Arguments::kNumber ? text + fmt::format(" {}", command.a) : text;
 }
 
-// Words after the last argument are a fault, as unknown verbs are: a desk of another version is to be noticed.
+// Words after the last argument are a fault, as unknown verbs are: a desk of another version is to be
+// noticed.
 Result<Command> ParseCommand(std::string_view text) {
   Command command;
   if (text.size() > kMaxCommandBytes)

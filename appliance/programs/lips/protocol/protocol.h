@@ -68,7 +68,8 @@ struct Command {
 };
 inline constexpr std::size_t kMaxCommandBytes = 160;
 
-// The command as a packet. `command.kind` is one of the kinds; arguments that its verb does not have are left out.
+// The command as a packet. `command.kind` is one of the kinds; arguments that its verb does not have are left
+// out.
 std::string CommandText(const Command& command);
 
 // The inverse of CommandText. Errors:
@@ -112,7 +113,8 @@ inline constexpr std::uint32_t kPictureSlotBytes = kPictureMaxWidth_px * kPictur
 
 // No packet of the lips is longer.
 inline constexpr std::size_t kMaxPacketBytes = 512;
-// Packets of the lips. The hello is sent first, together with the descriptor of the shared memory (SCM_RIGHTS).
+// Packets of the lips. The hello is sent first, together with the descriptor of the shared memory
+// (SCM_RIGHTS).
 std::vector<std::uint8_t> HelloPacket();
 std::vector<std::uint8_t> Packet(const Report& report);
 std::vector<std::uint8_t> Packet(const PictureNote& note);

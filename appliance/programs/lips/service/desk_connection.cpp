@@ -44,7 +44,8 @@ void DeskConnection::Accept() {
   if (Send(HelloPacket(), pictures_.descriptor())) Log("lips: a desk is connected");
 }
 
-// A packet that is no command closes the connection; the desk connects again by itself within a quarter of a second.
+// A packet that is no command closes the connection; the desk connects again by itself within a quarter of a
+// second.
 std::vector<Command> DeskConnection::ReceiveCommands(Time now) {
   Accept();
   std::vector<Command> commands;

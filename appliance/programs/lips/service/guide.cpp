@@ -67,7 +67,8 @@ void Guide::Start(const board::Lips& lips, Tuning& tuning, Time now) {
   if (lips.quality < kCleanMouth) tuning.Execute({.kind = CommandKind::kFind}, now);
 }
 
-// A step that is done changed the settings. One that a desk cancelled did not, and its pose is asked for again.
+// A step that is done changed the settings. One that a desk cancelled did not, and its pose is asked for
+// again.
 void Guide::FollowStep(Tuning& tuning, Time now) {
   const Report& report = tuning.report();
   progress_ = report.progress;

@@ -39,7 +39,8 @@ class Guide {
     bool operator==(const Pushes&) const = default;
   };
   static Pushes PushesOf(const board::Keys& keys, const board::Surface& surface);
-  // Begins with the first pose. The exposure is freed, and where the mouth is not clean the paint is looked for.
+  // Begins with the first pose. The exposure is freed, and where the mouth is not clean the paint is looked
+  // for.
   void Start(const board::Lips& lips, Tuning& tuning, Time now);
   // Goes on to the next pose when one is measured.
   void FollowStep(Tuning& tuning, Time now);

@@ -61,7 +61,8 @@ bool LipService::ServiceSwitched() const {
   return board::IsServiceKeyOn(board_.Read<board::Lines>());
 }
 
-// The section is written at each step of a calibration, so that a reader notices by its age when the lips are gone.
+// The section is written at each step of a calibration, so that a reader notices by its age when the lips are
+// gone.
 void LipService::ShowGuide(Time now) {
   if (guide_.active())
     writer_.Write(guide_.state(service_ || ServiceSwitched()), now, board::SourceState::kLive);

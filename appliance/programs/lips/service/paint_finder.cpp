@@ -155,8 +155,9 @@ class Search {
     patch.y += static_cast<float>(cell / cells_.width) + 0.5F;
   }
 
-  // What touches the picture's edge is clothes or wall, and what is too small or too large is no mouth: 0. Else
-  // the distance from the skin's colour, summed up over the patch, and less the farther it is from the middle.
+  // What touches the picture's edge is clothes or wall, and what is too small or too large is no mouth: 0.
+  // Else the distance from the skin's colour, summed up over the patch, and less the farther it is from the
+  // middle.
   float WorthOf(const Patch& patch) const {
     const auto count = static_cast<float>(patch.cells.size());
     const float part = count / static_cast<float>(cells_.chroma.size());

@@ -59,7 +59,8 @@ Tuning::~Tuning() {
   if (saving_.valid()) saving_.wait();
 }
 
-// A save is answered when the disk has it, and a sample when a picture came; all other commands are answered here.
+// A save is answered when the disk has it, and a sample when a picture came; all other commands are answered
+// here.
 void Tuning::Execute(const Command& command, Time now) {
   if (command.kind == CommandKind::kSample || command.kind == CommandKind::kFind) {
     if (waiting_) Answer(waiting_->command, "another command came before this one was done");

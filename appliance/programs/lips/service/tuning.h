@@ -28,7 +28,8 @@ struct TuningActions {
 // guide both act through it, so that every change has one history.
 class Tuning {
  public:
-  // Reads the generations of `file`, and blocks for the disk. With an empty path saving fails with a complaint.
+  // Reads the generations of `file`, and blocks for the disk. With an empty path saving fails with a
+  // complaint.
   Tuning(const LipSettings& now, std::filesystem::path file, TuningActions actions);
   // Waits for a file that is being written.
   ~Tuning();

@@ -1,4 +1,5 @@
-// The delay of the voice on its way to the loudspeaker: as it is set, or as long as a mouth takes to be presented.
+// The delay of the voice on its way to the loudspeaker: as it is set, or as long as a mouth takes to be
+// presented.
 #pragma once
 
 #include <optional>

@@ -28,7 +28,8 @@ class DelayLine {
  public:
   DelayLine();
 
-  // Appends a block at 48 kHz with one or two channels, recorded at `block.at`. The samples are borrowed for the call.
+  // Appends a block at 48 kHz with one or two channels, recorded at `block.at`. The samples are borrowed for
+  // the call.
   void Write(const ports::SoundBlock& block, const ports::SoundFormat& format);
 
   // Reads the next frames for the loudspeaker, one channel of -1 .. 1, at most 10 ms; the first of them is

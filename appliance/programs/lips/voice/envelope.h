@@ -1,5 +1,6 @@
-// The spectral envelope of a moment of voice by linear prediction; its peaks are the resonances of the mouth. Twelve
-// poles are enough for the four formants below 4 kHz and the fall of the voice, and too few to follow its pitch.
+// The spectral envelope of a moment of voice by linear prediction; its peaks are the resonances of the mouth.
+// Twelve poles are enough for the four formants below 4 kHz and the fall of the voice, and too few to follow
+// its pitch.
 #pragma once
 
 #include <array>

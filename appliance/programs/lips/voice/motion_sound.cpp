@@ -20,8 +20,9 @@ float Sample(std::int16_t value) {
 
 }  // namespace
 
-// The stage writes where the motion stands at the time of each frame; where it began follows from that, and is told
-// anew with each frame. A motion that was playing already when this program started is not begun in its middle.
+// The stage writes where the motion stands at the time of each frame; where it began follows from that, and
+// is told anew with each frame. A motion that was playing already when this program started is not begun in
+// its middle.
 void MotionSound::Follow(const board::Stamped<board::MotionNow>& now) {
   if (now.source != board::SourceState::kLive) {
     known_ = true;  // No motion was ever played, so that the first one is followed from its beginning.

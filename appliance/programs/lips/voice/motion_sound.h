@@ -24,7 +24,8 @@ class MotionSound {
   // in between is not heard. A motion whose number the show does not have is silent.
   void Follow(const board::Stamped<board::MotionNow>& now);
 
-  // Adds the sound to frames of two channels, left and right, -1 .. 1, the first of which is heard at `heard_at`.
+  // Adds the sound to frames of two channels, left and right, -1 .. 1, the first of which is heard at
+  // `heard_at`.
   void Mix(std::span<float> frames, Time heard_at);
 
   bool sounding() const { return now_.clip != nullptr || before_.clip != nullptr; }

@@ -87,8 +87,9 @@ void Speaker::Fill(Time now) {
   if (loudspeaker_ && now - stuck_since_ > kStuck) Close(now, "loudspeaker: the device accepts no sound");
 }
 
-// Makes the next chunk, unless one still waits, and writes it. Returns false where the device has no room now.
-// A device with one channel gets the mean of left and right; channels beyond the second repeat the right one.
+// Makes the next chunk, unless one still waits, and writes it. Returns false where the device has no room
+// now. A device with one channel gets the mean of left and right; channels beyond the second repeat the right
+// one.
 bool Speaker::WriteChunk() {
   if (pushed_ == chunk_.size()) {
     Mix();

@@ -1,4 +1,5 @@
-// From the voice to the loudspeaker, as late as the picture of the mouth; recovers from every failure of the device.
+// From the voice to the loudspeaker, as late as the picture of the mouth; recovers from every failure of the
+// device.
 #pragma once
 
 #include <array>

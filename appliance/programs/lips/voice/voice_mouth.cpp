@@ -34,7 +34,8 @@ void Approach(float& now, float target, double dt_s, double half_life_s) {
 
 }  // namespace
 
-// The time since the last block sets how far the mouth goes, so that blocks of any length give the same mouth.
+// The time since the last block sets how far the mouth goes, so that blocks of any length give the same
+// mouth.
 const board::Voice& VoiceMouth::Follow(const Voice& voice) {
   const Duration gap = std::clamp(voice.at - at_, Duration::zero(), kLongestGap);
   at_ = voice.at;

@@ -1,5 +1,6 @@
 // From a voice to a mouth that fits it: loudness opens it, the vowel shapes it, and silence shuts it. The
-// mouth of a voice is a guess. The performance uses it only while the lips are not seen (performance/mouth.h).
+// mouth of a voice is a guess. The performance uses it only while the lips are not seen
+// (performance/mouth.h).
 #pragma once
 
 #include "appliance/core/board/sections.h"

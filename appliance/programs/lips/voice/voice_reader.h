@@ -1,4 +1,5 @@
-// From the microphone to the board: opens the device, processes each block, and recovers from every failure of it.
+// From the microphone to the board: opens the device, processes each block, and recovers from every failure
+// of it.
 #pragma once
 
 #include <functional>

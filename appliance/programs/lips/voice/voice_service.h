@@ -36,7 +36,8 @@ class VoiceService {
   static Result<std::unique_ptr<VoiceService>> Acquire(SoundSources sources, VoiceServiceSettings settings,
                                                        const board::Board& board, const Clock& clock);
 
-  // Runs Step() for the microphone's blocks and every 10 ms. The loop outlives the service. Errors: those of the loop.
+  // Runs Step() for the microphone's blocks and every 10 ms. The loop outlives the service. Errors: those of
+  // the loop.
   Result<void> Join(EventLoop& loop);
 
   // Handles what waits and what is due. It never blocks, apart from the time that opening a device needs.

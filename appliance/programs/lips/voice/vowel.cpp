@@ -88,7 +88,8 @@ float Difference(const Envelope& a, const Envelope& b) {
   return (squares - sum * sum / kCount - tilt * tilt / tilts) / kCount;
 }
 
-// A softmax of the differences. The mouth is the mean over all vowels, so that it does not leap where two are as likely.
+// A softmax of the differences. The mouth is the mean over all vowels, so that it does not leap where two are
+// as likely.
 VowelGuess Weigh(const std::array<float, kVowelCount>& differences) {
   VowelGuess guess;
   const float least = *std::ranges::min_element(differences);
