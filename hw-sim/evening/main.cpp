@@ -57,7 +57,7 @@ class Progress {
   }
 
  private:
-  const kaori::SteadyClock wall_;
+  kaori::SteadyClock wall_;
   kaori::Time next_ = wall_.now() + kTellEvery;
 };
 
@@ -84,7 +84,7 @@ void Print(const kaori::sim::Verdict& verdict) {
 
 // Evenings until `hours` are played, one at least. What was reached is written also where one of them cannot
 // be played on.
-int PlayAll(const Settings& settings, kaori::sim::RunningOrder order, kaori::stage::Studio& studio,
+int PlayAll(const Settings& settings, const kaori::sim::RunningOrder& order, kaori::stage::Studio& studio,
             double hours, std::uint64_t seed) {
   kaori::sim::Verdict all;
   Progress progress;

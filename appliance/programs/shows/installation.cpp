@@ -97,7 +97,7 @@ store::Choice ReadChoice(const Folder& folder) {
 
 // Content, name, folder, in this order; a name that reached the disk before its content would be a torn
 // choice.
-Result<void> WriteChoice(Folder& folder, store::Choice choice) {
+Result<void> WriteChoice(Folder& folder, const store::Choice& choice) {
   const std::string text = store::Format(choice);
   auto draft = folder.Begin(kNewChoice);
   if (!draft) return tl::unexpected(draft.error());

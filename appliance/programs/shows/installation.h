@@ -99,7 +99,7 @@ class Installation {
 // Writes the next choice, in the older of the two generations' files, and returns once it is on the disk: the
 // choice is then this one, whatever happens. Errors: those of the folder; then the choice before still
 // stands.
-Result<void> WriteChoice(Folder& folder, store::Choice choice);
+Result<void> WriteChoice(Folder& folder, const store::Choice& choice);
 
 // The choice as the folder has it.
 store::Choice ReadChoice(const Folder& folder);

@@ -189,6 +189,23 @@ kaori::Result<void> BecomeReady(kaori::scanout::KmsCard* card, const kaori::stag
   return kaori::service::FeedWatchdog(loop, [&stage] { return stage.usual_turn(); });
 }
 
+// Plays until somebody ends the loop, or another show is chosen; says the status meanwhile. Errors: those of
+// the loop.
+kaori::Result<void> PlayOn(kaori::stage::Stage& stage, kaori::board::Board& board,
+                           kaori::stage::StageStatusDisplay status, kaori::stage::ShowWatch watch,
+                           const kaori::Clock& clock, kaori::EventLoop& loop) {
+  const auto tell = [&] {
+    status.Step(stage.screen());
+    stage.SetNotice(status.notice());
+    if (!watch.IsOver(clock.now())) return;
+    kaori::Log("another show is chosen: the stage ends, to be started with it");
+    loop.Stop();
+  };
+  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok) return ok;
+  if (auto ok = kaori::board::Watch(board, loop); !ok) return ok;
+  return loop.Run();
+}
+
 // The writers are acquired before the show is loaded, so that a second stage ends at once and notes no show.
 // Once the first picture is shown the card is handed to the fd keeper, so that the picture stays when the
 // stage ends in whatever way. The last face is kept when the loop has ended.
@@ -235,20 +252,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
     if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
       return kaori::ExitWithError(written.error());
   if (auto ok = BecomeReady(card.get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
-  kaori::stage::StageStatusDisplay status_display(
-      *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
-  kaori::stage::ShowWatch watch(*places, loaded.generation, clock.now());
-  const auto tell = [&] {
-    status_display.Step(stage.screen());
-    stage.SetNotice(status_display.notice());
-    if (!watch.IsOver(clock.now())) return;
-    kaori::Log("another show is chosen: the stage ends, to be started with it");
-    loop.Stop();
-  };
-  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok)
-    return kaori::ExitWithError(ok.error());
-  if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
-  auto played = loop.Run();
+  const kaori::status::Places said{settings.settings,
+                                   std::filesystem::path(settings.board).parent_path() / "screens"};
+  const auto played =
+      PlayOn(stage, *board, {*board, clock, said}, {*places, loaded.generation, clock.now()}, clock, loop);
   if (last_face) last_face->KeepNow();
   if (log) log->Finish();
   if (played) kaori::stage::NoteOrderlyEnd(*places);
