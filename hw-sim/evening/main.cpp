@@ -119,7 +119,7 @@ int Play(const Settings& settings, double minutes, double hours, std::uint64_t s
   if (minutes > 0) Shorten(*order, kaori::FromSeconds(minutes * 60));
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return kaori::ExitWithError(studio.error());
-  return PlayAll(settings, std::move(*order), **studio, hours, seed);
+  return PlayAll(settings, *order, **studio, hours, seed);
 }
 
 }  // namespace
