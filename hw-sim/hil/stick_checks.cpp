@@ -78,21 +78,22 @@ double Rate(const Result<BoardView>& from, const Result<BoardView>& to) {
 }
 
 // Until the show is on the box. The stage counts anew when it starts with the show: what it counted last
-// before that is the end of the span.
+// before that is the end of the span. The box is asked as often before the installation as during it, since
+// its answers cost an emulated machine more than the installation does.
 Result<void> InstallUnderPlay(Scene& scene) {
   const auto first = scene.target.Board();
-  scene.target.For(kRateSpan);
-  const auto began = scene.target.Board();
-  if (auto ok = PressFor(scene, kOne, "evening: it "); !ok) return ok;
-  auto last = began;
+  auto last = first;
   std::string said;
-  const auto is_on = [&] {
+  const auto ask = [&] {
     said = TextInBox(scene, kSaid);
     auto board = scene.target.Board();
     if (board && last && board->stage.frames >= last->stage.frames) last = std::move(board);
     return said.find(kIsOn) != std::string::npos;
   };
-  if (!scene.target.Until(is_on, kLongestInstalling))
+  static_cast<void>(scene.target.Until(ask, kRateSpan));
+  const auto began = last;
+  if (auto ok = PressFor(scene, kOne, "evening: it "); !ok) return ok;
+  if (!scene.target.Until(ask, kLongestInstalling))
     return FailInput("the show is not installed, but the box says \"" + said + "\"");
   const double before = Rate(first, began), during = Rate(began, last);
   if (before > 0) scene.finding.figures["install_under_play_rate"] = during / before;
