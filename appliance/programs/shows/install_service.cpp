@@ -141,7 +141,7 @@ void InstallService::StepInstallation() {
   menu_.ForgetPresses();  // Whoever pressed again while nothing seemed to happen takes nothing more.
 }
 
-// The screen has both languages, one below the other.
+// Both languages, one below the other; the screen shows those lines that its font has letters for.
 void InstallService::Tell(Message message, const std::string& name, const std::string& reason) {
   const std::string detail = Printable(reason, kLongestReason);
   said_ = message;

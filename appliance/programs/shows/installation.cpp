@@ -170,8 +170,7 @@ void Installation::ReadHeader() {
     return Refuse(Message::kForeign, "key " + show::Fingerprint(*seal->signer));
   seal_ = *seal;
   id_ = IdOf(seal_.checksum);
-  if (before_.current == id_ && plays_ == id_ && trial_(folder_.path() / store::PackName(id_)))
-    return Refuse(Message::kAlreadyThere);
+  if (plays_ == id_ && !NeedsCopy()) return;
   const auto room = MakeRoom(source_->bytes());
   if (!room) return RefuseFolder(room.error());
   if (!*room) return Refuse(Message::kFull, InMegabytes(source_->bytes() + kReserve_bytes) + " are needed");
@@ -180,6 +179,24 @@ void Installation::ReadHeader() {
   draft_ = std::move(*draft);
   if (auto ok = draft_->Append(header); !ok) return RefuseFolder(ok.error());
   stage_ = Stage::kCopy;
+}
+
+// False: it is on the box and whole, or that was not found out; the next stage is chosen then. Only what was
+// found to be spoilt may make room for its own copy: a trial that was cut off says nothing of the show.
+bool Installation::NeedsCopy() {
+  const auto whole = trial_(folder_.path() / store::PackName(id_));
+  if (whole && before_.current == id_) {
+    Refuse(Message::kAlreadyThere);
+  } else if (whole) {
+    is_there_ = true;
+    stage_ = Stage::kSwitch;
+  } else if (whole.error().cause == std::errc::operation_canceled) {
+    Refuse(Message::kKeyOff, whole.error().message());
+  } else {
+    spoilt_ = whole.error().kind == ErrorKind::kInput || whole.error().cause == std::errc::interrupted;
+    return true;
+  }
+  return false;
 }
 
 // Where all that may go would not be enough, nothing goes.
@@ -203,12 +220,14 @@ Result<bool> Installation::MakeRoom(std::uint64_t bytes) {
   return folder_.FreeBytes().map([&](std::uint64_t now) { return now >= wanted; });
 }
 
-// The pack of the new show itself is among the first where it is there: it is copied anew.
+// The pack of the new show itself is among the first where it is there and does not play, or is spoilt: it is
+// copied anew.
 Result<std::vector<std::string>> Installation::Removable() const {
   auto names = folder_.Names();
   if (!names) return names;
   const auto is = [&](const std::string& name, const std::string& id) {
-    return id != id_ && name == store::PackName(id);
+    const bool is_copied_anew = id == id_ && (id != plays_ || spoilt_);
+    return !is_copied_anew && name == store::PackName(id);
   };
   std::erase_if(*names, [&](const std::string& name) {
     return !name.ends_with(".kaori") || is(name, before_.current) || is(name, plays_);
@@ -260,8 +279,10 @@ void Installation::TryIt() {
 
 // The pack has its name on the disk before the choice names it.
 void Installation::Switch() {
-  if (auto ok = folder_.Rename(kIncoming, store::PackName(id_)); !ok) return RefuseFolder(ok.error());
-  if (auto ok = folder_.KeepNames(); !ok) return RefuseFolder(ok.error());
+  if (!is_there_) {
+    if (auto ok = folder_.Rename(kIncoming, store::PackName(id_)); !ok) return RefuseFolder(ok.error());
+    if (auto ok = folder_.KeepNames(); !ok) return RefuseFolder(ok.error());
+  }
   if (auto ok = WriteChoice(folder_, {before_.generation + 1, id_, ShowBefore()}); !ok)
     return RefuseFolder(ok.error());
   progress_.message = Message::kInstalled;

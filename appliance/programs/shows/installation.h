@@ -67,6 +67,8 @@ class Installation {
 
   // One for each stage. Each ends in the next one, or in Refuse.
   void ReadHeader();
+  // Of the show that plays: whether it has to be copied. Blocks for its trial.
+  bool NeedsCopy();
   void CopyPiece();
   void TryIt();
   void Switch();
@@ -91,6 +93,8 @@ class Installation {
   std::string plays_;
   show::PackSeal seal_;
   std::string id_;
+  bool is_there_ = false;  // On the box and whole: it is chosen without a copy.
+  bool spoilt_ = false;    // On the box, and found to be no whole show.
   std::unique_ptr<Draft> draft_;
   show::Checksummer sum_;
   std::uint64_t copied_bytes_ = 0;  // Of the content, without the header.

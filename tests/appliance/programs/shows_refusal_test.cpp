@@ -141,6 +141,30 @@ TEST_F(BadShow, WhatPlaysIsKeptThoughAnotherOneIsChosen) {
   EXPECT_EQ(ReadChoice(folder_), (store::Choice{3, IdOf(third), IdOf(first_)}));
 }
 
+// The key is turned back while the chosen show is looked at once more: it is whole, and no room is made of it.
+TEST_F(BadShow, TheOneThatPlaysIsNotRemovedWhereTheKeyIsTurnedBackWhileItIsLookedAt) {
+  folder_.capacity_bytes = first_.size() + Installation::kReserve_bytes + 2000;
+  const Trial trial = [](const auto&) -> Result<void> {
+    return Fail(std::errc::operation_canceled, "rehearse the show");
+  };
+  const Progress progress =
+      Install(folder_, std::make_unique<SimulatedSource>(first_, std::size_t{1000}), trial);
+  EXPECT_EQ(progress.message, Message::kKeyOff);
+  EXPECT_EQ(folder_.Content(store::PackName(IdOf(first_))), first_);
+}
+
+// The chosen one gave way, and the one that plays is taken again from a stick that is pulled.
+TEST_F(BadShow, TheOneThatPlaysInPlaceOfTheChosenOneIsNotRemovedForACopyOfItself) {
+  Install(folder_, second_);
+  folder_.capacity_bytes = first_.size() + second_.size() + Installation::kReserve_bytes + 2000;
+  Installation installation(
+      folder_, std::make_unique<SimulatedSource>(first_, std::size_t{1000}), keys_,
+      [](const auto&) -> Result<void> { return {}; }, IdOf(first_));
+  while (!installation.ended()) installation.Step();
+  EXPECT_EQ(folder_.Content(store::PackName(IdOf(first_))), first_) << "it plays";
+  EXPECT_EQ(ReadChoice(folder_), (store::Choice{3, IdOf(first_), std::string(store::kRootShow)}));
+}
+
 TEST_F(BadShow, IsNotBlamedWhereTheKeyIsTurnedBackInItsTrial) {
   const Trial trial = [](const auto&) -> Result<void> {
     return Fail(std::errc::operation_canceled, "rehearse the show");
