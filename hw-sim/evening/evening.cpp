@@ -139,6 +139,7 @@ class Evening {
     if (state.go_quiet_s < go_quiet_s_) ++verdict_.go_played;
     go_quiet_s_ = state.go_quiet_s;
     if (!studio_.drew()) return;
+    ++verdict_.pictures_drawn;
     pictures_.push_back({state.last, SumOfPicture(studio_, small_)});
     if (state.blackout < 1 || IsBlack(small_)) return;
     ++verdict_.wrong_pictures;

@@ -31,8 +31,8 @@ void Add(const Verdict& evening, Verdict& to) {
   for (const auto count :
        {&Verdict::cues, &Verdict::missed_cues, &Verdict::go_sent, &Verdict::go_played, &Verdict::go_refused,
         &Verdict::faults, &Verdict::unanswered_faults, &Verdict::frames, &Verdict::replay_bits_differ,
-        &Verdict::pictures, &Verdict::wrong_pictures, &Verdict::log_bytes, &Verdict::log_parts_lost,
-        &Verdict::log_parts_allowed, &Verdict::frame_path_allocations})
+        &Verdict::pictures, &Verdict::pictures_drawn, &Verdict::wrong_pictures, &Verdict::log_bytes,
+        &Verdict::log_parts_lost, &Verdict::log_parts_allowed, &Verdict::frame_path_allocations})
     to.*count += evening.*count;
   to.wrong.insert(to.wrong.end(), evening.wrong.begin(), evening.wrong.end());
 }
@@ -47,6 +47,10 @@ std::vector<std::string> WhatIsWrong(const Verdict& verdict) {
         fmt::format("{} faults were not answered", verdict.unanswered_faults));
   bound(verdict.replay_bits_differ == 0,
         fmt::format("{} frames show something else when they play again", verdict.replay_bits_differ));
+  bound(verdict.minutes <= 0 || verdict.frames > 0, "the log has no frame that could play again");
+  bound(2 * verdict.pictures >= verdict.pictures_drawn,
+        fmt::format("{} pictures were drawn, and the log has {} of them", verdict.pictures_drawn,
+                    verdict.pictures));
   bound(verdict.wrong_pictures == 0, fmt::format("{} pictures are wrong", verdict.wrong_pictures));
   bound(verdict.frame_path_allocations == 0,
         fmt::format("frames allocated memory {} times", verdict.frame_path_allocations));

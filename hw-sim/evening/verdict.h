@@ -28,6 +28,7 @@ struct Verdict {
   std::uint64_t frames = 0;              // That the log has.
   std::uint64_t replay_bits_differ = 0;  // Of these, those that show something else when they play again.
   std::uint64_t pictures = 0;            // That were drawn, and drawn again from the log.
+  std::uint64_t pictures_drawn = 0;      // On the evening itself; lost parts of the log have some of them.
   std::uint64_t wrong_pictures = 0;      // Another picture from the log, or not black in a blackout.
   std::uint64_t log_bytes = 0;
   std::uint64_t log_parts_lost = 0;     // Chunks of which a full disk kept nothing,

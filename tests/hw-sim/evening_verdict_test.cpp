@@ -102,6 +102,7 @@ TEST(AVerdict, IsOfAllEveningsTogether) {
   Verdict first;
   first.evenings = 1;
   first.minutes = 100;
+  first.frames = 180000;
   first.cues = 70;
   first.go_sent = 60;
   first.go_played = 57;
@@ -120,10 +121,40 @@ TEST(AVerdict, IsOfAllEveningsTogether) {
   EXPECT_FALSE(IsGood(all));
 }
 
+// Each bound by itself: a verdict that was good is bad by one figure.
+TEST(AVerdict, IsBadByEachOfItsFigures) {
+  Verdict good;
+  good.evenings = 1;
+  good.minutes = 100;
+  good.frames = 180000;
+  good.pictures = good.pictures_drawn = 1500;
+  good.log_bytes = 30'000'000;
+  good.log_parts_lost = good.log_parts_allowed = 2;
+  EXPECT_THAT(WhatIsWrong(good), IsEmpty());
+  const auto wrong = [&good](std::uint64_t Verdict::*figure, std::uint64_t value) {
+    Verdict bad = good;
+    bad.*figure = value;
+    return WhatIsWrong(bad);
+  };
+  using ::testing::ElementsAre;
+  EXPECT_THAT(wrong(&Verdict::missed_cues, 1), ElementsAre("1 cues were missed"));
+  EXPECT_THAT(wrong(&Verdict::unanswered_faults, 1), ElementsAre("1 faults were not answered"));
+  EXPECT_THAT(wrong(&Verdict::replay_bits_differ, 1),
+              ElementsAre("1 frames show something else when they play again"));
+  EXPECT_THAT(wrong(&Verdict::frames, 0), ElementsAre("the log has no frame that could play again"));
+  EXPECT_THAT(wrong(&Verdict::pictures, 0),
+              ElementsAre("1500 pictures were drawn, and the log has 0 of them"));
+  EXPECT_THAT(wrong(&Verdict::wrong_pictures, 1), ElementsAre("1 pictures are wrong"));
+  EXPECT_THAT(wrong(&Verdict::frame_path_allocations, 1), ElementsAre("frames allocated memory 1 times"));
+  EXPECT_THAT(wrong(&Verdict::log_parts_lost, 3), ElementsAre("3 parts of the log are lost, and 2 may be"));
+  EXPECT_THAT(wrong(&Verdict::log_bytes, 30'100'000), ElementsAre("the log takes 301 KB a minute"));
+}
+
 TEST(AVerdict, IsBadWhereMemoryGrowsOrAFileStaysOpen) {
   Verdict verdict;
   verdict.evenings = 1;
   verdict.minutes = 100;
+  verdict.frames = 180000;
   for (int minute = 0; minute < 100; ++minute)
     verdict.memory.push_back({minute / 60.0, 1000 + minute + (minute < 10 ? 500.0 * minute : 5000)});
   EXPECT_NEAR(MemorySlope_kb_per_h(verdict), 60, 1e-6) << "the first ten minutes do not count";
