@@ -1,15 +1,16 @@
 #include "hw-sim/evening/allocations.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-thread_local std::size_t allocations = 0;
+std::atomic<std::size_t> count{0};
 
 // As ::operator new, but that a machine without memory ends the program: nobody here goes on without.
 void* Allocate(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
+  ++count;
   const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
   void* const memory = std::aligned_alloc(alignment, whole == 0 ? alignment : whole);
   if (memory == nullptr) std::abort();
@@ -18,8 +19,8 @@ void* Allocate(std::size_t bytes, std::size_t alignment) {
 
 }  // namespace
 
-std::size_t kaori::sim::AllocationsOfThread() {
-  return allocations;
+std::size_t kaori::sim::AllocationCount() {
+  return count;
 }
 
 void* operator new(std::size_t bytes) {

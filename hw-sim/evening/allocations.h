@@ -1,13 +1,13 @@
-// Counts what this program allocates on the heap, so that an evening can say that its frames allocated
-// nothing.
+// Counts what a program allocates on the heap, so that a test or an evening can say that its frames allocate
+// nothing. Linked into a program, it takes the place of operator new and delete there.
 #pragma once
 
 #include <cstddef>
 
 namespace kaori::sim {
 
-// Calls of operator new, of any form, by the thread that asks, since it began. C's malloc, which Mesa uses,
+// Calls of operator new, of any form, on any thread, since the program started. C's malloc, which Mesa uses,
 // is not counted.
-std::size_t AllocationsOfThread();
+std::size_t AllocationCount();
 
 }  // namespace kaori::sim

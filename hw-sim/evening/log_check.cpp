@@ -9,6 +9,7 @@
 #include "appliance/core/showlog/log_file.h"
 #include "appliance/core/showlog/replay.h"
 #include "drivers/base/checksum.h"
+#include "drivers/base/folder.h"
 #include "hw-sim/evening/allocations.h"
 
 namespace kaori::sim {
@@ -49,9 +50,9 @@ class LogCheck {
  private:
   // Making the frame is what may allocate nothing; the first one of a log makes what later ones use again.
   bool Next(showlog::Replay& replay) {
-    const std::size_t before = AllocationsOfThread();
+    const std::size_t before = AllocationCount();
     const bool more = replay.Next();
-    if (more && replay.follows()) into_.frame_path_allocations += AllocationsOfThread() - before;
+    if (more && replay.follows()) into_.frame_path_allocations += AllocationCount() - before;
     return more;
   }
 
@@ -98,17 +99,15 @@ std::uint64_t SumOfPicture(stage::Studio& studio, stage::SmallImage& into) {
 
 Result<void> CheckLogs(const fs::path& folder, const std::vector<DrawnPicture>& pictures, Size size,
                        stage::Studio& studio, Verdict& into) {
-  std::vector<fs::path> files;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
-    files.push_back(entry.path());
-    into.log_bytes += entry.file_size(none);
-  }
-  std::ranges::sort(files);
+  const auto files = ListFolder(folder);
+  if (!files) return tl::unexpected(files.error());
   studio.DrawOneOf(1);
   LogCheck check(pictures, size, studio, into);
-  for (const fs::path& file : files)
+  for (const fs::path& file : *files) {
+    std::error_code none;
+    into.log_bytes += fs::file_size(file, none);
     if (auto checked = check.Check(file); !checked) return checked;
+  }
   return {};
 }
 

@@ -46,9 +46,8 @@ class Progress {
     if (wall_.now() >= next_) {
       next_ += kTellEvery;
       fmt::print(
-          "minute {:.0f} of the evening with seed {}: {} cues, {} missed; {} faults, {} not answered; before "
-          "it {} evenings "
-          "with {} things wrong\n",
+          "minute {:.0f} of the evening with seed {}: {} cues, {} missed; {} faults, {} not answered; "
+          "before it {} evenings with {} things wrong\n",
           evening.minutes, seed, evening.cues, evening.missed_cues, evening.faults, evening.unanswered_faults,
           before.evenings, before.wrong.size());
       static_cast<void>(std::fflush(stdout));
@@ -73,9 +72,8 @@ Result<void> WriteReport(const std::string& file, const kaori::sim::Verdict& ver
 void Print(const kaori::sim::Verdict& verdict) {
   for (const std::string& sentence : WhatIsWrong(verdict)) fmt::print("{}\n", sentence);
   fmt::print(
-      "{}{} evening{}, {:.0f} minutes in {:.0f} s: {} cues, {} missed; {} faults, {} not answered; {} frames "
-      "of the log, {} "
-      "differ; {} pictures, {} wrong\n{}\n",
+      "{}{} evening{}, {:.0f} minutes in {:.0f} s: {} cues, {} missed; {} faults, {} not answered; "
+      "{} frames of the log, {} differ; {} pictures, {} wrong\n{}\n",
       verdict.stopped ? "stopped: " : "", verdict.evenings, verdict.evenings == 1 ? "" : "s", verdict.minutes,
       verdict.seconds, verdict.cues, verdict.missed_cues, verdict.faults, verdict.unanswered_faults,
       verdict.frames, verdict.replay_bits_differ, verdict.pictures, verdict.wrong_pictures,

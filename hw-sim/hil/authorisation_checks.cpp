@@ -5,6 +5,7 @@
 
 #include "hw-sim/devices/unknown_device.h"
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
 namespace {
@@ -149,18 +150,19 @@ Result<bool> WasAuthorised(Scene& scene, const Unknown& unknown) {
 
 // Devices that are treated as they should not be; `wrong` turns what is wanted round, for the control.
 Result<void> TryUnknownDevices(Scene& scene, bool wrong) {
-  static_cast<void>(scene.target.rig().Unplug("pointer"));
   std::string mistaken;
   int tried = 0, let_in = 0;
-  for (const Unknown& unknown : UnknownDevices()) {
-    const auto authorised = WasAuthorised(scene, unknown);
-    if (!authorised) return tl::unexpected(authorised.error());
-    ++tried;
-    let_in += *authorised && !unknown.wanted ? 1 : 0;
-    if (*authorised != (unknown.wanted != wrong))
-      mistaken += (mistaken.empty() ? "" : "; ") + std::string(unknown.name);
+  {
+    const UnpluggedDevice pointer(scene, "pointer");
+    for (const Unknown& unknown : UnknownDevices()) {
+      const auto authorised = WasAuthorised(scene, unknown);
+      if (!authorised) return tl::unexpected(authorised.error());
+      ++tried;
+      let_in += *authorised && !unknown.wanted ? 1 : 0;
+      if (*authorised != (unknown.wanted != wrong))
+        mistaken += (mistaken.empty() ? "" : "; ") + std::string(unknown.name);
+    }
   }
-  static_cast<void>(scene.target.rig().Plug("pointer"));
   scene.finding.figures["usb_liars"] = tried;
   scene.finding.figures["usb_liars_let_in"] = let_in;
   if (!mistaken.empty()) return FailInput("wrongly authorised, or wrongly not: " + mistaken);

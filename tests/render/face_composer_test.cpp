@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/render/allocation_count.h"
+#include "hw-sim/evening/allocations.h"
 #include "tests/render/face_reference.h"
 #include "tests/render/synthetic_cast.h"
 
@@ -45,10 +45,10 @@ TEST(Composer, AllocatesNothing) {
     busy.channels.Push(i % 6, 0.5F);
   }
   busy.mouth_given_away = 0.5F;
-  const std::size_t before = AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   composer.Compose(busy, Detail::kFine);
   composer.Compose(Wearing(1, 1), Detail::kCage);
-  EXPECT_EQ(AllocationCount(), before);
+  EXPECT_EQ(sim::AllocationCount(), before);
   EXPECT_GT(before, 0U);
 }
 
@@ -74,13 +74,13 @@ TEST(Composer, WearsAnExpressionAsItWasMadeAnewOnEveryFace) {
 TEST(Composer, AllocatesNothingForAnExpressionThatIsPulledOnFrameByFrame) {
   Cast cast = MakeSyntheticCast();
   Composer composer(cast);
-  const std::size_t before = AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   for (int frame = 0; frame < 10; ++frame) {
     cast.expressions[1].displacement[0].y += 0.001F;
     composer.Renew(1);
     composer.Compose(Wearing(frame % 4U, 1), Detail::kFine);
   }
-  EXPECT_EQ(AllocationCount(), before);
+  EXPECT_EQ(sim::AllocationCount(), before);
 }
 
 TEST(Composer, ShowsTheReferenceFaceWhenNoFaceHasWeight) {

@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "hw-sim/evening/allocations.h"
 #include "render/passes/handles.h"
 #include "render/scene/view.h"
-#include "tests/render/allocation_count.h"
 #include "tests/render/pass_studio.h"
 
 namespace kaori {
@@ -214,12 +214,12 @@ TEST(Handles, AllocateNothing) {
   scene.caption = {.shown = 1,
                    .lines = {"handle MC.l   u +2.4   mirror on   smooth on", "expression: Smile"}};
   for (int frame = 0; frame < 20; ++frame) studio.painter().Draw(scene, *canvas);
-  const std::size_t before = tests::AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   for (int frame = 0; frame < 200; ++frame) {
     scene.handles.chosen = frame % 3;
     studio.painter().Draw(scene, *canvas);
   }
-  EXPECT_EQ(tests::AllocationCount() - before, 0U);
+  EXPECT_EQ(sim::AllocationCount() - before, 0U);
 }
 
 }  // namespace

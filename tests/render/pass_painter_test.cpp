@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/render/allocation_count.h"
+#include "hw-sim/evening/allocations.h"
 #include "tests/render/pass_studio.h"
 
 namespace kaori {
@@ -271,9 +271,9 @@ TEST(Painter, AllocatesNothingForAThousandFrames) {
     studio.painter().Draw(scene, *canvas);
   };
   for (int frame = 0; frame < 20; ++frame) draw(frame);
-  const std::size_t before = tests::AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   for (int frame = 0; frame < 1000; ++frame) draw(frame);
-  EXPECT_EQ(tests::AllocationCount() - before, 0U);
+  EXPECT_EQ(sim::AllocationCount() - before, 0U);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/core/show/pack_container.h"
 #include "appliance/core/show/pack_content.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
 
@@ -175,8 +176,7 @@ bool IsSound(const Sound& sound) {
 
 Result<LoadOptions> LoadOptionsOf(const std::filesystem::path& trust, bool verified) {
   if (trust.empty()) return LoadOptions{.on_verified_root = verified};
-  std::error_code none;
-  if (!std::filesystem::exists(trust, none)) return tl::unexpected(ReadPublicKey(trust).error());
+  if (!IsThere(trust)) return tl::unexpected(ReadPublicKey(trust).error());
   auto keys = ReadPublicKeys({trust});
   if (!keys) return tl::unexpected(keys.error());
   if (keys->empty())

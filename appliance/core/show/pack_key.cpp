@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
@@ -114,13 +115,10 @@ namespace {
 // A box may hold a key that somebody spoilt: the others still count.
 Result<void> AddFolder(const std::filesystem::path& folder, PublicKeys& keys,
                        std::vector<std::string>* faults) {
-  std::error_code error;
-  std::vector<std::filesystem::path> files;
-  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == ".pub") files.push_back(it->path());
-  if (error) return Fail(static_cast<std::errc>(error.value()), "read the folder " + folder.string());
-  std::ranges::sort(files);
-  for (const auto& file : files) {
+  const auto files = ListFolder(folder);
+  if (!files) return tl::unexpected(files.error());
+  for (const auto& file : *files) {
+    if (file.extension() != ".pub") continue;
     if (auto key = ReadPublicKey(file))
       keys.push_back(*key);
     else if (faults != nullptr)

@@ -5,7 +5,7 @@
 //   ID.kaori            packs; ID is the checksum of the pack's content, 64 hexadecimal digits
 //   choice.0, choice.1  the choice in two generations: the older one still stands where the newer is torn
 //   incoming            a pack that is being copied; of no meaning after a power cut
-// One program writes the folder, kaori-shows; kaori-boot, kaori-stage and kaori-lips read the choice.
+// One program writes the folder, kaori-shows; kaori-boot and kaori-stage read the choice.
 #pragma once
 
 #include <array>

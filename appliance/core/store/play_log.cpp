@@ -4,11 +4,14 @@
 #include <sstream>
 #include <utility>
 
+#include "drivers/base/read_file.h"
+
 namespace kaori::store {
 namespace {
 
 // More than count in a minute; the log stays small through an evening of ends.
 constexpr std::size_t kMostKept = 16;
+constexpr std::size_t kMostLog_bytes = 1 << 16;
 
 bool Contains(const std::vector<std::string>& shows, const std::string& show) {
   return std::ranges::find(shows, show) != shows.end();
@@ -90,6 +93,14 @@ PlayLog ParsePlayLog(std::string_view text) {
     }
   }
   return log;
+}
+
+std::filesystem::path PlayLogBeside(const std::filesystem::path& board) {
+  return board.parent_path() / "plays";
+}
+
+PlayLog ReadPlayLog(const std::filesystem::path& file) {
+  return ParsePlayLog(ReadFile(file, {.most_bytes = kMostLog_bytes}).value_or(""));
 }
 
 }  // namespace kaori::store

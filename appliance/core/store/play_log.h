@@ -50,4 +50,10 @@ std::vector<std::string> ToTry(const PlayLog& log, const Choice& choice);
 std::string Format(const PlayLog& log);
 PlayLog ParsePlayLog(std::string_view text);
 
+// Where the stage keeps the log: beside the board. Pure.
+std::filesystem::path PlayLogBeside(const std::filesystem::path& board);
+
+// The log of a file; an empty one where there is no sound log. Blocks for a file in memory.
+PlayLog ReadPlayLog(const std::filesystem::path& file);
+
 }  // namespace kaori::store

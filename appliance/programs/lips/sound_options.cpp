@@ -7,7 +7,6 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/core/store/play_log.h"
 #include "drivers/base/log.h"
-#include "drivers/base/read_file.h"
 
 namespace kaori::lips {
 namespace {
@@ -38,9 +37,7 @@ Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
 
 std::string PlayedShow(const LipOptions& options) {
   if (options.shows.empty()) return {};
-  constexpr std::size_t kMostLog_bytes = 1 << 16;
-  const auto log = std::filesystem::path(options.board).parent_path() / "plays";
-  return store::ParsePlayLog(ReadFile(log, {.most_bytes = kMostLog_bytes}).value_or("")).last;
+  return store::ReadPlayLog(store::PlayLogBeside(options.board)).last;
 }
 
 // The option is judged here, once: DelayOf is asked at each tick and passes over what it cannot read.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <string>
+
 #include "drivers/base/folder.h"
 
 namespace kaori::power {

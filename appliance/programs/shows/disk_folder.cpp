@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "appliance/programs/shows/folder.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
 
@@ -54,12 +55,11 @@ class DiskFolder final : public Folder {
   }
 
   Result<std::vector<std::string>> Names() const override {
-    std::error_code error;
-    std::vector<std::string> names;
-    for (std::filesystem::directory_iterator it(path_, error), end; !error && it != end; it.increment(error))
-      names.push_back(it->path().filename().string());
-    if (error) return Fail(static_cast<std::errc>(error.value()), "read the folder " + path_.string());
-    return names;
+    return ListFolder(path_).map([](const std::vector<std::filesystem::path>& paths) {
+      std::vector<std::string> names;
+      for (const std::filesystem::path& path : paths) names.push_back(path.filename().string());
+      return names;
+    });
   }
 
   std::uint64_t BytesOf(const std::string& name) const override {

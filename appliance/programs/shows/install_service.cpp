@@ -5,7 +5,6 @@
 
 #include "appliance/core/store/play_log.h"
 #include "drivers/base/log.h"
-#include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
@@ -60,8 +59,7 @@ show::PublicKeys InstallService::Keys() const {
 
 // The stage notes it in memory when it loads a show; without a stage the chosen show is what will play.
 std::string InstallService::Plays() const {
-  constexpr std::size_t kMostLog_bytes = 1 << 16;
-  return store::ParsePlayLog(ReadFile(places_.plays, {.most_bytes = kMostLog_bytes}).value_or("")).last;
+  return store::ReadPlayLog(places_.plays).last;
 }
 
 // A stick is looked for while one is read as well, so that another one is listed as soon as the installation

@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
 
@@ -44,13 +47,7 @@ class FileSource final : public Source {
 };
 
 std::string IdOf(const show::Checksum& sum) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string id;
-  for (const std::uint8_t byte : sum) {
-    id += kDigits[byte >> 4U];
-    id += kDigits[byte & 15U];
-  }
-  return id;
+  return fmt::format("{:02x}", fmt::join(sum, ""));
 }
 
 std::string InMegabytes(std::uint64_t bytes) {

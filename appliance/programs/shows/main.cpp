@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "appliance/core/store/play_log.h"
 #include "appliance/programs/shows/install_service.h"
 #include "appliance/programs/shows/stick.h"
 #include "appliance/programs/shows/stick_mount.h"
@@ -155,7 +156,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
     std::error_code gone;
     return fs::exists(settings.open, gone);
   };
-  const auto plays = fs::path(settings.board).parent_path() / "plays";
+  const auto plays = kaori::store::PlayLogBeside(settings.board);
   kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
                                        *board, look, TrialBy(settings, is_open));
   const kaori::SteadyClock clock;

@@ -7,6 +7,7 @@
 #include "appliance/core/roles/level_names.h"
 #include "appliance/core/roles/roles_file.h"
 #include "appliance/core/store/choice.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/number.h"
 #include "drivers/base/read_file.h"
@@ -14,12 +15,6 @@
 
 namespace kaori::stage {
 namespace {
-
-constexpr std::size_t kMostLog_bytes = 1 << 16;
-
-store::PlayLog ReadPlayLog(const ShowPlaces& places) {
-  return store::ParsePlayLog(ReadFile(places.play_log, {.most_bytes = kMostLog_bytes}).value_or(""));
-}
 
 void WritePlayLog(const ShowPlaces& places, const store::PlayLog& log) {
   if (places.play_log.empty()) return;
@@ -63,7 +58,7 @@ Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
   // waited for.
   const std::uint64_t told = ReadChosen(places.chosen);
   const store::Choice choice = store::ReadChoice(places.shows);
-  store::PlayLog log = store::Started(ReadPlayLog(places), choice, now);
+  store::PlayLog log = store::Started(store::ReadPlayLog(places.play_log), choice, now);
   for (const std::string& id : log.given_up)
     LogWarning("the show {} ended the stage {} times too soon and gives way to the one before it", id,
                store::kMostEnds);
@@ -85,8 +80,7 @@ Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
 }
 
 void LayOverRoles(const std::filesystem::path& file, show::Show& show) {
-  std::error_code none;
-  if (!std::filesystem::exists(file, none)) return;
+  if (!IsThere(file)) return;
   const auto faults = roles::LayOver(file, roles::ItemsOf(show.cast), show.roles);
   for (const std::string& fault : faults) LogWarning("{}", fault);
   if (!faults.empty()) LogWarning("the show is played with its own roles");
@@ -94,7 +88,7 @@ void LayOverRoles(const std::filesystem::path& file, show::Show& show) {
 
 void NoteOrderlyEnd(const ShowPlaces& places) {
   if (places.shows.empty()) return;
-  store::PlayLog log = ReadPlayLog(places);
+  store::PlayLog log = store::ReadPlayLog(places.play_log);
   log.playing.clear();
   WritePlayLog(places, log);
 }
@@ -103,7 +97,7 @@ void NoteOrderlyEnd(const ShowPlaces& places) {
 bool ShowWatch::IsOver(Time now) {
   if (!places_.shows.empty() && !settled_ && now - first_picture_ >= store::kSettlesAfter) {
     settled_ = true;
-    store::PlayLog log = ReadPlayLog(places_);
+    store::PlayLog log = store::ReadPlayLog(places_.play_log);
     log.settled = !log.playing.empty();
     WritePlayLog(places_, log);
   }

@@ -97,7 +97,7 @@ kaori::Result<kaori::stage::ShowPlaces> PlacesOf(const Settings& settings) {
   return kaori::stage::ShowPlaces{.root_pack = settings.pack,
                                   .shows = shows,
                                   .keys = shows.parent_path() / "settings" / "keys",
-                                  .play_log = board.parent_path() / "plays",
+                                  .play_log = kaori::store::PlayLogBeside(board),
                                   .chosen = settings.chosen,
                                   .of_root = std::move(*options)};
 }

@@ -148,8 +148,8 @@ class Stage {
   std::unique_ptr<showlog::MinusOne> evening_;
   board::Snapshot laid_;  // The board of this frame, where an evening lies over it.
   bool evening_began_ = false;
-  // The state of the show, as it was written to the board last.
   std::vector<std::string> notice_;
+  // The state of the show, as it was written to the board last.
   performance::State state_;
   bool resumed_ = false;
   FramePacer pacer_;

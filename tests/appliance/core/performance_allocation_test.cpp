@@ -1,8 +1,8 @@
 // The frame path allocates nothing: the heap may wait for another thread, and a picture may not.
 #include <memory>
 
+#include "hw-sim/evening/allocations.h"
 #include "tests/appliance/core/life_fixture.h"
-#include "tests/render/allocation_count.h"
 
 namespace kaori::performance {
 namespace {
@@ -24,7 +24,7 @@ TEST_F(LifeTest, AllocatesNothingInAFrameWhateverSheDoesByHerself) {
       accents += state_.life.accents.brow_s < before.accents.brow_s ? 1 : 0;
     }
   };
-  const std::size_t before = tests::AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   live(20s);
   CallCueByFoot();
   for (int word = 0; word < 20; ++word) {
@@ -43,13 +43,13 @@ TEST_F(LifeTest, AllocatesNothingInAFrameWhateverSheDoesByHerself) {
   board_.surface.value.buttons_down = 0;
   Strike(0x20);
   live(10s);
-  EXPECT_EQ(tests::AllocationCount() - before, 0U);
+  EXPECT_EQ(sim::AllocationCount() - before, 0U);
   EXPECT_GT(blinks, 10);
   EXPECT_GT(glances, 20);
   EXPECT_GT(accents, 3);
-  const std::size_t counted = tests::AllocationCount();
+  const std::size_t counted = sim::AllocationCount();
   const auto proof = std::make_unique<int>(1);
-  EXPECT_EQ(tests::AllocationCount(), counted + 1) << "the heap is not counted";
+  EXPECT_EQ(sim::AllocationCount(), counted + 1) << "the heap is not counted";
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "appliance/core/performance/levels.h"
+#include "hw-sim/evening/allocations.h"
 #include "tests/appliance/core/showlog_fixture.h"
-#include "tests/render/allocation_count.h"
 
 namespace kaori::showlog {
 namespace {
@@ -212,10 +212,10 @@ TEST_F(ShowLogTest, TakesNothingFromTheHeapAndFewBytesForAMinute) {
   shown_.reserve(10'000);
   bytes_.reserve(std::size_t{8} << 20U);
   Play(10);
-  const std::size_t before = tests::AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   Play(60 * 60);
   recorder_.Close();
-  EXPECT_EQ(tests::AllocationCount() - before, 0U);
+  EXPECT_EQ(sim::AllocationCount() - before, 0U);
   const double minutes = (60 * 60 + 10) / 3600.0;
   const double kb_per_min = static_cast<double>(bytes_.size()) / 1000 / minutes;
   RecordProperty("log_kb_per_min", static_cast<int>(kb_per_min));

@@ -1,8 +1,8 @@
 // The author's input: dials, stick, keys and pointer, and what of them plays on.
 #include <gmock/gmock.h>
 
+#include "hw-sim/evening/allocations.h"
 #include "tests/appliance/programs/editor_fixture.h"
-#include "tests/render/allocation_count.h"
 
 namespace kaori::tests {
 namespace {
@@ -234,13 +234,13 @@ TEST_F(EditorPlay, TakeNothingFromTheHeapWhileTheyAreShut) {
   SaveAs("one");
   Strike(key::kTab);
   Run(1s);
-  const std::size_t before = AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   for (int i = 0; i < 100; ++i) {
     board_.sticks[1].value.x = 0.01F * static_cast<float>(i);
     board_.pointer.value.x = 0.01F * static_cast<float>(i);
     Push(static_cast<std::size_t>(i % 4));
   }
-  EXPECT_EQ(AllocationCount(), before);
+  EXPECT_EQ(sim::AllocationCount(), before);
 }
 
 }  // namespace

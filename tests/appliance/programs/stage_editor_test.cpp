@@ -6,9 +6,9 @@
 #include "appliance/core/board/press_log.h"
 #include "appliance/programs/editor/keys.h"
 #include "appliance/programs/stage/stage.h"
+#include "hw-sim/evening/allocations.h"
 #include "tests/appliance/core/pack_fixture.h"
 #include "tests/appliance/programs/stage_screen.h"
-#include "tests/render/allocation_count.h"
 
 namespace kaori::tests {
 namespace {
@@ -105,12 +105,12 @@ TEST_F(StageWithAnEditor, TakeNothingFromTheHeapWhileTheyAreShut) {
   Frames(10);
   Strike(key::kTab);
   Frames(200);  // Shaders are readied, the handles are gone.
-  const std::size_t before = AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   for (int i = 0; i < 100; ++i) {
     surface_value_.counts[1] += i % 5 - 2;
     Frame();
   }
-  EXPECT_EQ(AllocationCount(), before);
+  EXPECT_EQ(sim::AllocationCount(), before);
 }
 
 }  // namespace

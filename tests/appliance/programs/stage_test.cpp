@@ -9,9 +9,9 @@
 #include <filesystem>
 
 #include "appliance/core/board/performance_state.h"
+#include "hw-sim/evening/allocations.h"
 #include "tests/appliance/core/pack_fixture.h"
 #include "tests/appliance/programs/stage_screen.h"
-#include "tests/render/allocation_count.h"
 
 namespace kaori::tests {
 namespace {
@@ -78,13 +78,13 @@ TEST_F(StageTest, TakesNothingFromTheHeapOnItsFramePath) {
     }
   };
   play(200);  // Every call was seen once: shaders are compiled, buffers have their size.
-  const std::size_t before = AllocationCount();
+  const std::size_t before = sim::AllocationCount();
   play(600);
-  EXPECT_EQ(AllocationCount() - before, 0U);
+  EXPECT_EQ(sim::AllocationCount() - before, 0U);
   EXPECT_EQ(screen_.presented, 800U);
-  const std::size_t counted = AllocationCount();
+  const std::size_t counted = sim::AllocationCount();
   const auto proof = std::make_unique<int>(1);
-  EXPECT_EQ(AllocationCount(), counted + 1) << "the heap is not counted";
+  EXPECT_EQ(sim::AllocationCount(), counted + 1) << "the heap is not counted";
 }
 
 TEST_F(StageTest, FollowsAScreenThatChangesItsSize) {
