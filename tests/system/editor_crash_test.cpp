@@ -102,10 +102,14 @@ TEST_F(AnAuthorAtTheBox, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
            board_.Read<board::Surface>().source == board::SourceState::kLive && frames() > 2;
   })) << programs_.LogOf("kaori-stage");
   Strike(key::kTab);
-  const std::int32_t at_first = Seen().dials[kOutwards];
+  // By the journal when the stage was killed last: what that took is gone, and the hand goes on from there.
+  float kept = 0;
   for (int round = 0; round < 3; ++round) {
+    const std::int32_t at_first = Seen().dials[kOutwards];
     std::deque<std::pair<Time, std::int32_t>> seen;  // When the stage had which count.
-    const Time end = clock_.now() + milliseconds(1900 + 170 * round);
+    // These times fall late between two writes of a journal that is written too seldom: of one that is written
+    // each 1.25, 1.6 or 2.5 s, more than a second is missing at one of the kills.
+    const Time end = clock_.now() + milliseconds(1900 + 450 * round);
     for (int turn = 0; clock_.now() < end; ++turn) {
       rig_->dial_box().Turn(kOutwards, 2.0 / 256);
       Hold(milliseconds(25));
@@ -117,7 +121,9 @@ TEST_F(AnAuthorAtTheBox, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
     for (const auto& [at, count] : seen)
       if (killed - at > kNothingOlder) sure = count;
     ASSERT_GT(sure, seen.front().second) << "it turned before that second, too";
-    EXPECT_GE(PulledInJournal() + 0.01F, static_cast<float>(sure - at_first)) << "round " << round;
+    const float pulled = PulledInJournal();
+    EXPECT_GE(pulled + 0.01F, kept + static_cast<float>(sure - at_first)) << "round " << round;
+    kept = pulled;
     StartStage();
     const std::uint32_t frames_then = frames();
     ASSERT_TRUE(Until([&] { return frames() > frames_then; })) << programs_.LogOf("kaori-stage");
