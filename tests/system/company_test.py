@@ -83,7 +83,7 @@ def main():
             else:
                 faults.append(f"{name}: status {done.returncode}, said {done.stderr!r}")
         done = install(programs, box, good)
-        installed = int(done.returncode == 0 and "plays now" in done.stdout)
+        installed = int(done.returncode == 0 and "it is on the box" in done.stdout)
         if not installed:
             faults.append(f"a good show is refused: {done.stderr}")
         before = chosen(box)

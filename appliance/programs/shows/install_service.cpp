@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "appliance/core/store/play_log.h"
+#include "appliance/core/store/said.h"
 #include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr Duration kLookPeriod = std::chrono::milliseconds(500);
 constexpr std::size_t kLongestReason = 160;  // Two lines of a small screen.
+
+constexpr std::size_t kRoomForKeys = 2;  // In a list that has more shows than it has numbers.
 
 // As people compare it with what a stick holds: decimal, without a fraction.
 std::string Megabytes(std::uint64_t bytes) {
@@ -76,9 +79,11 @@ void InstallService::Step(Time now) {
 // The stick may go while its show is checked; while it is copied, the copy itself notices.
 void InstallService::Look(Time now) {
   look_next_ = now + kLookPeriod;
+  FollowChosen();
   auto looked = look_();
   if (!looked && !installation_) Tell(Message::kUnreadable, {}, looked.error().message());
   auto stick = looked.value_or(std::nullopt);
+  if (looked && !stick && !installation_ && said_ == Message::kUnreadable) Tell(Message::kPlugIn);
   if (stick == stick_) return;
   stick_ = std::move(stick);
   if (installation_) return;
@@ -87,24 +92,86 @@ void InstallService::Look(Time now) {
   if (looked && (said_ == Message::kChoose || said_ == Message::kNoShow)) Tell(Message::kPlugIn);
 }
 
-// Shows first, so that their numbers do not depend on the keys beside them. A file that holds no key is not
-// offered.
+// The stage notes a show when it begins to read it, and another one where it gives it up; it plays once the next
+// frame has been presented.
+void InstallService::FollowChosen() {
+  if (!awaited_ || installation_) return;
+  const store::PlayLog log = store::ReadPlayLog(places_.plays);
+  if (log.generation < awaited_->generation || log.playing.empty()) return;
+  const bool begun = log.playing == awaited_->current;
+  const std::uint32_t frames = board_.Read<board::StageStatus>().value.frames;
+  if (begun && !frames_at_begin_) frames_at_begin_ = frames;
+  if (begun && frames == *frames_at_begin_) return;
+  awaited_.reset();
+  Tell(begun ? Message::kPlays : Message::kUnplayable, name_);
+}
+
 void InstallService::OfferAll(const std::filesystem::path& stick) {
+  const auto listed = List(stick);
+  if (!listed) return Tell(Message::kPulled, {}, listed.error().message());
+  Tell(*listed == 0 ? Message::kNoShow : Message::kChoose);
+}
+
+// Shows first, so that their numbers do not depend on the keys beside them; of many shows some have to give
+// their numbers to keys, without which they might not be trusted. A file that holds no key is not offered.
+Result<std::size_t> InstallService::List(const std::filesystem::path& stick) {
   const auto shows = ListShows(stick), keys = ListKeys(stick);
-  if (!shows || !keys) return Tell(Message::kPulled, {}, (!shows ? shows : keys).error().message());
-  std::vector<Choosable> choices;
+  if (!shows || !keys) return tl::unexpected((!shows ? shows : keys).error());
+  std::vector<Choosable> choices, of_keys;
   for (const auto& offer : *shows) choices.push_back({Choosable::Kind::kShow, offer, Megabytes(offer.bytes)});
   for (const auto& offer : *keys)
     if (const auto key = show::ReadPublicKey(offer.file))
-      choices.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});
-  if (choices.size() > kMostOffers) choices.resize(kMostOffers);
-  const bool none = choices.empty();
-  menu_.Offer(std::move(choices));
-  Tell(none ? Message::kNoShow : Message::kChoose);
+      of_keys.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});
+  const std::vector<Choosable> before = Before();
+  const std::size_t all = choices.size() + of_keys.size(), numbers = kMostChoices - before.size();
+  choices.resize(std::min(choices.size(), numbers - std::min(of_keys.size(), kRoomForKeys)));
+  of_keys.resize(std::min(of_keys.size(), numbers - choices.size()));
+  choices.insert(choices.end(), of_keys.begin(), of_keys.end());
+  const std::size_t listed = choices.size();
+  choices.insert(choices.end(), before.begin(), before.end());
+  menu_.Offer(std::move(choices), all - listed);
+  return listed;
+}
+
+// A pack that was removed to make room is no show to go back to.
+std::vector<Choosable> InstallService::Before() const {
+  const store::Choice choice = ReadChoice(folder_);
+  std::vector<Choosable> shows;
+  const auto offer = [&](const char* name, std::string id) {
+    shows.push_back({.kind = Choosable::Kind::kBack,
+                     .offer = {.file = {}, .name = name},
+                     .remark = {},
+                     .id = std::move(id)});
+  };
+  if (choice.previous != choice.current && folder_.BytesOf(store::PackName(choice.previous)) > 0)
+    offer("back to the show before", choice.previous);
+  if (choice.current != store::kRootShow) offer("back to the box's own show", std::string(store::kRootShow));
+  return shows;
 }
 
 void InstallService::Accept(const Choosable& taken) {
-  return taken.kind == Choosable::Kind::kShow ? Install(taken) : AcceptKey(taken);
+  if (taken.kind == Choosable::Kind::kShow) return Install(taken);
+  if (taken.kind == Choosable::Kind::kKey) return AcceptKey(taken);
+  GoBack(taken);
+}
+
+// It was tried when it came. The stage passes over a pack that the disk has spoilt, and that is said then.
+void InstallService::GoBack(const Choosable& taken) {
+  name_ = taken.offer.name;
+  const store::Choice choice = ReadChoice(folder_);
+  if (auto ok = WriteChoice(folder_, {choice.generation + 1, taken.id, choice.current}); !ok)
+    return Tell(ok.error().cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
+                name_, ok.error().message());
+  TellStage();
+  if (stick_) static_cast<void>(List(*stick_));  // A stick that cannot be read is named at the next look.
+  Tell(Message::kInstalled, name_);
+}
+
+// By a number in memory, so that the stage asks no disk while a show plays.
+void InstallService::TellStage() {
+  awaited_ = ReadChoice(folder_);
+  frames_at_begin_.reset();
+  WriteReport(places_.report / "chosen", std::to_string(awaited_->generation) + "\n");
 }
 
 // The key alone is kept, as it was shown, under a name that no stick chooses.
@@ -121,20 +188,20 @@ void InstallService::AcceptKey(const Choosable& taken) {
 // The name is kept: a stick that is gone can no longer be asked for it.
 void InstallService::Install(const Choosable& taken) {
   name_ = taken.offer.name;
+  awaited_.reset();
   auto source = OpenSource(taken.offer.file);
   if (!source) return Tell(MessageOf(source.error()), name_, source.error().message());
   installation_.emplace(folder_, std::move(*source), Keys(), trial_, Plays());
   Tell(Message::kCopying, name_);
 }
 
-// The stage is told by a number in memory, so that it asks no disk while a show plays.
 void InstallService::StepInstallation() {
   const Message before = installation_->progress().message;
   const Progress progress = installation_->Step();
+  if (installation_->ended() && stick_) static_cast<void>(List(*stick_));
   if (progress.message != before || installation_->ended()) Tell(progress.message, name_, progress.detail);
   if (!installation_->ended()) return;
-  if (progress.message == Message::kInstalled)
-    WriteReport(places_.report / "chosen", std::to_string(ReadChoice(folder_).generation) + "\n");
+  if (progress.message == Message::kInstalled) TellStage();
   installation_.reset();
   menu_.ForgetPresses();  // Whoever pressed again while nothing seemed to happen takes nothing more.
 }
@@ -143,9 +210,10 @@ void InstallService::StepInstallation() {
 void InstallService::Tell(Message message, const std::string& name, const std::string& reason) {
   const std::string detail = Printable(reason, kLongestReason);
   said_ = message;
-  std::string text;
+  const std::string mark(IsRefusal(message) ? store::kRefusalMark : std::string_view());
+  std::string text = mark;
   for (const std::string& line : menu_.Lines(message, Language::kEnglish, name, detail)) text += line + "\n";
-  text += Say(message, Language::kJapanese, name) + "\n";
+  text += mark + Say(message, Language::kJapanese, name) + "\n";
   if (text == told_) return;
   told_ = text;
   WriteReport(places_.report / "lines", text);

@@ -45,11 +45,21 @@ class InstallService {
   // A stick came or went. Nothing of it is shown while a show is installed; the next look after that makes up
   // for it.
   void Look(Time now);
+  // The shows on the box to which one can go back: the one before, and the root's.
+  std::vector<Choosable> Before() const;
+  // Tells the stage of the choice that was just made, and waits for it to play.
+  void TellStage();
+  // Says how it went on with what was installed last: the stage plays it, or gave it up.
+  void FollowChosen();
   // Lists what lies at the top of the stick, and says so; blocks for the stick.
   void OfferAll(const std::filesystem::path& stick);
+  // Offers it, with the ways back below it, and gives how many of the stick are listed. Errors: those of ListShows.
+  Result<std::size_t> List(const std::filesystem::path& stick);
   // What the menu gave: a show is begun, a key is kept at once.
   void Accept(const Choosable& taken);
   void AcceptKey(const Choosable& taken);
+  // Chooses a show that is on the box; the stage is told.
+  void GoBack(const Choosable& taken);
   void Install(const Choosable& taken);
   // The next piece; tells what has changed, and the stage where the show is on the box.
   void StepInstallation();
@@ -69,6 +79,9 @@ class InstallService {
   Menu menu_;
   std::optional<Installation> installation_;
   std::string name_;  // Of what is being installed.
+  // What was chosen and has not been seen to play yet, and the frames of the board when the stage had begun it.
+  std::optional<store::Choice> awaited_;
+  std::optional<std::uint32_t> frames_at_begin_;
   std::string told_;
   std::optional<Message> said_;
 };

@@ -21,8 +21,9 @@ std::vector<std::uint32_t> Since(std::optional<std::uint32_t>& seen, const board
 
 }  // namespace
 
-void Menu::Offer(std::vector<Choosable> choices) {
+void Menu::Offer(std::vector<Choosable> choices, std::size_t left_out) {
   choices_ = std::move(choices);
+  left_out_ = left_out;
   marked_ = 0;
   ForgetPresses();
 }
@@ -77,8 +78,11 @@ std::vector<std::string> Menu::Lines(Message message, Language language, const s
     const Choosable& choice = choices_[i];
     const char* kind = choice.kind == Choosable::Kind::kShow ? "" : "key ";
     lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + kind + choice.offer.name +
-                    "  " + choice.remark);
+                    (choice.remark.empty() ? "" : "  " + choice.remark));
   }
+  if (left_out_ > 0)
+    lines.push_back("  and " + std::to_string(left_out_) +
+                    " more on the stick; take some off it to see them");
   return lines;
 }
 

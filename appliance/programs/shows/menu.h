@@ -13,19 +13,22 @@
 
 namespace kaori::shows {
 
-// One thing that can be taken: a show, or a key of somebody's whose shows the box shall play.
+// One thing that can be taken: a show, a key of somebody's whose shows the box shall play, or a show that is on the
+// box already.
 struct Choosable {
-  enum class Kind : std::uint8_t { kShow, kKey } kind = Kind::kShow;
+  enum class Kind : std::uint8_t { kShow, kKey, kBack } kind = Kind::kShow;
   Offer offer;
   std::string remark;     // "48 MB", or a key's fingerprint.
   show::PublicKey key{};  // Of a key: what is taken is what was shown, whatever the stick says later.
+  std::string id{};       // Of a show that is on the box: as in store::Choice.
 };
 
 // Pure but for what it remembers. One thread.
 class Menu {
  public:
-  // What can be taken from now on; the first is marked. Presses from before count no more.
-  void Offer(std::vector<Choosable> choices);
+  // What can be taken from now on; the first is marked. Presses from before count no more. `left_out` more lie
+  // on the stick, which have no number.
+  void Offer(std::vector<Choosable> choices, std::size_t left_out = 0);
 
   // What can be taken stays; presses from before count no more.
   void ForgetPresses();
@@ -47,6 +50,7 @@ class Menu {
   std::optional<std::size_t> ReadGo(const board::Stamped<board::Lines>& lines);
 
   std::vector<Choosable> choices_;
+  std::size_t left_out_ = 0;
   std::size_t marked_ = 0;
   // Counters as they stood at the last look; nothing before the first.
   std::optional<std::uint32_t> keys_seen_, buttons_seen_, go_seen_;

@@ -16,7 +16,8 @@ enum class Message : std::uint8_t {
   kChoose,        // Several are there, or one: which one is to be taken?
   kCopying,       // On the way.
   kTrying,        // Checked; its scenes are drawn once.
-  kInstalled,     // It is on the box and plays next.
+  kInstalled,     // It is on the box and chosen; the stage has not begun it yet.
+  kPlays,         // The stage plays it.
   kAlreadyThere,  // It is what is chosen, and whole.
   kKeyTaken,      // A public key was kept: shows that it signed will play.
   kNotAShow,      // Another kind of file.
@@ -35,7 +36,7 @@ enum class Message : std::uint8_t {
   kUnplayable,  // It is whole and trusted, and does not play.
   kKeyOff,      // The service key was turned back on the way.
 };
-inline constexpr std::size_t kMessageCount = 23;
+inline constexpr std::size_t kMessageCount = 24;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

@@ -12,6 +12,14 @@ constexpr std::size_t kLongestName = 40;
 constexpr std::size_t kMostLookedAt =
     4096;  // Entries of the folder; a damaged one may seem to have any number.
 
+// FAT keeps capitals or not, as whoever wrote the name did.
+bool EndsIn(const fs::path& file, std::string_view extension) {
+  std::string end = file.extension().string();
+  for (char& c : end)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return end == extension;
+}
+
 // One pass, without opening any of the files: kinds and lengths are those of the folder's entries. A file
 // whose length cannot be read is listed with none, and refused when it is taken.
 Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extension) {
@@ -22,7 +30,7 @@ Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extensio
        it.increment(error), ++seen) {
     const fs::path& file = it->path();
     std::error_code odd;
-    if (file.extension() != extension || file.filename().string().starts_with('.')) continue;
+    if (!EndsIn(file, extension) || file.filename().string().starts_with('.')) continue;
     if (!fs::is_regular_file(it->symlink_status(odd))) continue;
     const std::uint64_t bytes = it->file_size(odd);
     offers.push_back(
@@ -30,7 +38,6 @@ Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extensio
   }
   if (error) return Fail(static_cast<std::errc>(error.value()), "read the stick " + stick.string());
   std::ranges::sort(offers, {}, &Offer::name);
-  if (offers.size() > kMostOffers) offers.resize(kMostOffers);
   return offers;
 }
 
@@ -45,7 +52,6 @@ std::string Printable(std::string text, std::size_t most) {
   return text;
 }
 
-// Ends of names in small letters: the drivers of FAT and exFAT give names as they were written.
 Result<std::vector<Offer>> ListShows(const fs::path& stick) {
   return List(stick, ".kaori");
 }

@@ -20,15 +20,16 @@ struct Offer {
   friend bool operator==(const Offer&, const Offer&) = default;
 };
 
+// More than can be listed and chosen by a number.
+inline constexpr std::size_t kMostChoices = 8;
+
 // As it can be shown and logged: what is no printable ASCII is "?", and what is longer than `most` ends in
 // "...". Names and reasons from a stick may hold line ends, which would forge lines of the log. Pure.
 std::string Printable(std::string text, std::size_t most);
 
-// More than can be listed and chosen by a number.
-inline constexpr std::size_t kMostOffers = 8;
-
-// The files *.kaori at the top of the folder, in the order of their names, kMostOffers at most. Folders,
-// links and files that begin with a dot are left out. Blocks for the stick. Errors: those of opendir(3).
+// The files *.kaori at the top of the folder, whatever letters of the end are capitals, in the order of their
+// names. Folders, links and files that begin with a dot are left out. Blocks for the stick. Errors: those of
+// opendir(3).
 Result<std::vector<Offer>> ListShows(const std::filesystem::path& stick);
 
 // As ListShows, of the files *.pub.

@@ -20,6 +20,7 @@ namespace kaori::shows {
 namespace {
 
 constexpr std::size_t kMostHeard_bytes = 1 << 16;
+constexpr int kAsk_ms = 100;
 
 // A child with its standard error in our hands.
 struct Child {
@@ -60,22 +61,37 @@ struct Patience {
   const std::function<bool()>& wanted;
 };
 
+// Whether somebody still waits for the answer. Errors: timed_out, operation_canceled.
+Result<void> Wanted(const Patience& patience) {
+  if (SteadyClock().now() >= patience.until) return Fail(std::errc::timed_out, "rehearse the show");
+  if (patience.wanted && !patience.wanted()) return Fail(std::errc::operation_canceled, "rehearse the show");
+  return {};
+}
+
 // Listens until the child closes its end, the time is over, or nobody wants to know any more. Errors:
 // timed_out, operation_canceled.
 Result<std::string> Listen(const UniqueFd& says, const Patience& patience) {
-  constexpr int kAsk_ms = 100;
   std::string heard;
   std::array<char, 4096> piece{};
   while (true) {
-    if (SteadyClock().now() >= patience.until) return Fail(std::errc::timed_out, "rehearse the show");
-    if (patience.wanted && !patience.wanted())
-      return Fail(std::errc::operation_canceled, "rehearse the show");
+    if (auto ok = Wanted(patience); !ok) return tl::unexpected(ok.error());
     pollfd ready{.fd = says.get(), .events = POLLIN, .revents = 0};
     if (::poll(&ready, 1, kAsk_ms) <= 0) continue;
     const ssize_t got = ::read(says.get(), piece.data(), piece.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return heard;
     if (heard.size() < kMostHeard_bytes) heard.append(piece.data(), static_cast<std::size_t>(got));
+  }
+}
+
+// The status of its end, waitpid(2)'s. A child that has closed its standard error may run on. Errors: as Wanted;
+// the child then runs on.
+Result<int> AwaitEnd(pid_t pid, const Patience& patience) {
+  while (true) {
+    int status = 0;
+    if (::waitpid(pid, &status, WNOHANG) == pid) return status;
+    if (auto ok = Wanted(patience); !ok) return tl::unexpected(ok.error());
+    ::poll(nullptr, 0, kAsk_ms);
   }
 }
 
@@ -103,16 +119,19 @@ Result<void> TryPack(const std::string& stage, const std::filesystem::path& pack
                      const std::function<bool()>& wanted) {
   auto child = Spawn(stage, pack.string());
   if (!child) return tl::unexpected(child.error());
-  const auto heard = Listen(child->says, {SteadyClock().now() + longest, wanted});
-  if (!heard) ::kill(child->pid, SIGKILL);
-  int status = 0;
-  while (::waitpid(child->pid, &status, 0) < 0 && errno == EINTR) {
+  const Patience patience{SteadyClock().now() + longest, wanted};
+  const auto heard = Listen(child->says, patience);
+  const auto status = heard ? AwaitEnd(child->pid, patience) : tl::unexpected(heard.error());
+  if (!status) {
+    ::kill(child->pid, SIGKILL);
+    while (::waitpid(child->pid, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    return tl::unexpected(status.error());
   }
-  if (!heard) return tl::unexpected(heard.error());
-  if (WIFSIGNALED(status))
+  if (WIFSIGNALED(*status))
     return Fail(std::errc::interrupted,
-                "rehearse the show: signal " + std::to_string(WTERMSIG(status)) + " ended it");
-  if (WEXITSTATUS(status) != 0)
+                "rehearse the show: signal " + std::to_string(WTERMSIG(*status)) + " ended it");
+  if (WEXITSTATUS(*status) != 0)
     return FailInput(heard->empty() ? "it cannot be rehearsed" : LastLine(*heard));
   return {};
 }

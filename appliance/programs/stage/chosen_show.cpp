@@ -49,6 +49,18 @@ Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places) {
   return ChosenShow{.show = std::move(*show), .id = id, .pack = std::move(pack)};
 }
 
+// A folder that holds packs had a choice once: both of its files are gone or torn.
+void TellOfLostChoice(const ShowPlaces& places, const store::Choice& choice) {
+  if (choice.generation > 0) return;
+  const auto files = ListFolder(places.shows);
+  if (!files || !std::ranges::any_of(*files, [](const auto& file) { return file.extension() == ".kaori"; }))
+    return;
+  LogWarning(
+      "{} holds shows, and which one is to be played is lost: the box's own show plays; bring the show "
+      "again by its stick",
+      places.shows.string());
+}
+
 }  // namespace
 
 // What is noted before the show is read: one that ends the stage while it is read counts as well.
@@ -58,6 +70,7 @@ Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
   // waited for.
   const std::uint64_t told = ReadChosen(places.chosen);
   const store::Choice choice = store::ReadChoice(places.shows);
+  TellOfLostChoice(places, choice);
   store::PlayLog log = store::Started(store::ReadPlayLog(places.play_log), choice, now);
   for (const std::string& id : log.given_up)
     LogWarning("the show {} ended the stage {} times too soon and gives way to the one before it", id,

@@ -10,6 +10,7 @@
 
 #include "appliance/core/board/lines.h"
 #include "appliance/core/board/mouth.h"
+#include "appliance/core/store/said.h"
 
 namespace kaori::status {
 namespace {
@@ -226,7 +227,11 @@ std::vector<Line> Describe(const State& state) {
   std::vector<Line> lines{Title(state.facts)};
   for (const std::string& fault : state.facts.faults) lines.push_back({Mark::kFault, "fault", fault});
   for (const std::string& notice : state.facts.notices) lines.push_back({Mark::kMissing, "power", notice});
-  for (const std::string& line : state.facts.shows) lines.push_back({Mark::kGood, "stick", line});
+  for (const std::string& line : state.facts.shows) {
+    const bool refused = line.starts_with(store::kRefusalMark);
+    lines.push_back({refused ? Mark::kFault : Mark::kGood, "stick",
+                     refused ? line.substr(store::kRefusalMark.size()) : line});
+  }
   lines.push_back(Show(state.board.stage_status, !state.facts.screens.empty(), state.now));
   if (state.facts.screens.empty())
     lines.push_back({Mark::kFault, "screens", "No screen is plugged in; the show goes on unseen."});

@@ -111,6 +111,12 @@ class ServiceTest : public tests::PackTest {
     board::NotePress(pressed_, usage, now_);
     keys_.Write(pressed_, now_, board::SourceState::kLive);
   }
+  // As the stage does when it begins a show.
+  void NoteThatPlays(std::uint64_t generation, const std::string& show) {
+    std::ofstream(folder_ / "plays") << store::Format(
+        store::PlayLog{.generation = generation, .playing = show});
+  }
+  void Present(std::uint32_t frames) { stage_.Write({.frames = frames}, now_, board::SourceState::kLive); }
   std::string Play(Duration time) {
     for (const Time end = now_ + time; now_ < end; now_ += InstallService::kPeriod) service_.Step(now_);
     return ReadFile(folder_ / "report" / "lines").value_or("");
@@ -121,18 +127,20 @@ class ServiceTest : public tests::PackTest {
   Result<void> trial_{};
   board::Board board_ = board::Board::Create((folder_ / "board").string()).value();
   board::Writer<board::Keys> keys_ = board_.AcquireWriter<board::Keys>().value();
+  board::Writer<board::StageStatus> stage_ = board_.AcquireWriter<board::StageStatus>().value();
   board::Keys pressed_;
   Time now_ = Time{} + 1000s;
   std::unique_ptr<Folder> shows_ = OpenFolder(folder_ / "shows");
-  InstallService service_{{folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report"},
-                          *shows_,
-                          board_,
-                          [this]() -> Result<std::optional<fs::path>> {
-                            if (unreadable_) return FailInput("mount the stick /dev/sdb1");
-                            if (!plugged_) return std::optional<fs::path>();
-                            return std::optional(folder_ / "stick");
-                          },
-                          [this](const fs::path&) { return trial_; }};
+  InstallService service_{
+      {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays"},
+      *shows_,
+      board_,
+      [this]() -> Result<std::optional<fs::path>> {
+        if (unreadable_) return FailInput("mount the stick /dev/sdb1");
+        if (!plugged_) return std::optional<fs::path>();
+        return std::optional(folder_ / "stick");
+      },
+      [this](const fs::path&) { return trial_; }};
 };
 
 TEST_F(ServiceTest, TwoShowsOnAStickAreListedAndTheOneThatIsTakenPlaysNext) {
@@ -143,7 +151,7 @@ TEST_F(ServiceTest, TwoShowsOnAStickAreListedAndTheOneThatIsTakenPlaysNext) {
   EXPECT_THAT(listed, HasSubstr("> 1  evening"));
   EXPECT_THAT(listed, HasSubstr("  2  matinee"));
   Strike(board::key::k1 + 1);
-  EXPECT_THAT(Play(2s), HasSubstr("matinee: it is on the box and plays now"));
+  EXPECT_THAT(Play(2s), HasSubstr("matinee: it is on the box; the face changes to it"));
   EXPECT_EQ(ReadFile(folder_ / "report" / "chosen").value_or(""), "1\n");
   const auto current = store::ReadChoice(folder_ / "shows").current;
   EXPECT_EQ(NameIn(folder_ / "shows" / store::PackName(current)), "matinee");
@@ -159,7 +167,7 @@ TEST_F(ServiceTest, ATheatresKeyIsTakenFromTheStickAndThenItsShow) {
   Strike(board::key::k1 + 1);
   EXPECT_THAT(Play(1s), HasSubstr("this key is on the box now"));
   Strike(board::key::k1);
-  EXPECT_THAT(Play(1s), HasSubstr("guest: it is on the box and plays now"));
+  EXPECT_THAT(Play(1s), HasSubstr("guest: it is on the box; the face changes to it"));
 }
 
 TEST_F(ServiceTest, WhoeverPressesAgainWhileItIsCopiedTakesNothingMore) {
@@ -170,7 +178,7 @@ TEST_F(ServiceTest, WhoeverPressesAgainWhileItIsCopiedTakesNothingMore) {
   Strike(board::key::k1);
   service_.Step(now_);
   Strike(board::key::k1 + 1);
-  EXPECT_THAT(Play(2s), HasSubstr("evening: it is on the box and plays now"));
+  EXPECT_THAT(Play(2s), HasSubstr("evening: it is on the box; the face changes to it"));
   EXPECT_EQ(store::ReadChoice(folder_ / "shows").generation, 1U);
 }
 
@@ -235,6 +243,96 @@ TEST_F(ServiceTest, AKeyIsTakenAsItWasShownThoughTheStickSaysAnotherLater) {
   EXPECT_THAT(*kept, ElementsAre(theatre_.public_key()));
 }
 
+TEST_F(ServiceTest, AShowIsSaidToPlayWhenTheStageHasPresentedAFrameOfIt) {
+  PutOnStick("evening", &company_);
+  plugged_ = true;
+  Play(1s);
+  Strike(board::key::k1);
+  EXPECT_THAT(Play(1s), HasSubstr("evening: it is on the box; the face changes to it in a moment"));
+  const store::Choice choice = store::ReadChoice(folder_ / "shows");
+  NoteThatPlays(0, std::string(store::kRootShow));
+  Present(7);
+  EXPECT_THAT(Play(1s), HasSubstr("in a moment")) << "another show plays still";
+  NoteThatPlays(choice.generation, choice.current);
+  EXPECT_THAT(Play(1s), HasSubstr("in a moment")) << "the show is read";
+  Present(8);
+  EXPECT_THAT(Play(1s), HasSubstr("evening: it is on the box and plays now"));
+}
+
+TEST_F(ServiceTest, AShowThatTheStageGaveUpIsSaidToBeUnplayable) {
+  PutOnStick("evening", &company_);
+  plugged_ = true;
+  Play(1s);
+  Strike(board::key::k1);
+  Play(1s);
+  const store::Choice choice = store::ReadChoice(folder_ / "shows");
+  NoteThatPlays(choice.generation, choice.current);
+  Play(1s);
+  NoteThatPlays(choice.generation, std::string(store::kRootShow));
+  EXPECT_THAT(Play(1s), HasSubstr("! evening: it does not play on this box"));
+}
+
+TEST_F(ServiceTest, OneGoesBackToTheShowBeforeAndToTheBoxsOwn) {
+  PutOnStick("evening", &company_);
+  PutOnStick("matinee", &company_);
+  plugged_ = true;
+  EXPECT_THAT(Play(1s), ::testing::Not(HasSubstr("back to"))) << "the box's own show plays";
+  Strike(board::key::k1);
+  Play(2s);
+  const std::string evening = store::ReadChoice(folder_ / "shows").current;
+  Strike(board::key::k1 + 1);
+  const std::string said = Play(2s);
+  EXPECT_THAT(said, HasSubstr("  3  back to the show before\n"));
+  EXPECT_THAT(said, HasSubstr("  4  back to the box's own show\n"));
+  Strike(board::key::k1 + 2);
+  EXPECT_THAT(Play(1s), HasSubstr("back to the show before: it is on the box"));
+  EXPECT_EQ(store::ReadChoice(folder_ / "shows").current, evening);
+  EXPECT_EQ(ReadFile(folder_ / "report" / "chosen").value_or(""), "3\n");
+  Strike(board::key::k1 + 3);
+  Play(1s);
+  const store::Choice last = store::ReadChoice(folder_ / "shows");
+  EXPECT_EQ(last.current, store::kRootShow);
+  EXPECT_EQ(last.previous, evening);
+}
+
+TEST_F(ServiceTest, ARefusalBearsAMarkAndWhatWentWellDoesNot) {
+  PutOnStick("guest", &theatre_);
+  plugged_ = true;
+  EXPECT_THAT(Play(1s), ::testing::Not(HasSubstr("! ")));
+  Strike(board::key::k1);
+  const std::string said = Play(1s);
+  EXPECT_THAT(said, ::testing::StartsWith("! guest: this box does not trust its signer"));
+  EXPECT_THAT(said, HasSubstr("\n! guest: " + std::string(Words(Message::kForeign, Language::kJapanese))));
+}
+
+TEST_F(ServiceTest, ThatAStickCannotBeReadIsForgottenWhenItIsOut) {
+  unreadable_ = true;
+  EXPECT_THAT(Play(1s), HasSubstr("it has to be FAT32 or exFAT"));
+  unreadable_ = false;
+  EXPECT_THAT(Play(1s), HasSubstr("plug a stick in"));
+}
+
+TEST_F(ServiceTest, ManyShowsLeaveRoomForTheKeyAndTheRestIsCounted) {
+  for (const char* name : {"a", "b", "c", "d", "e", "f", "g", "h", "i"}) PutOnStick(name, &theatre_);
+  ASSERT_TRUE(SaveKey(theatre_, folder_ / "stick" / "theatre"));
+  plugged_ = true;
+  const std::string said = Play(1s);
+  EXPECT_THAT(said, HasSubstr("  7  g  "));
+  EXPECT_THAT(said, HasSubstr("  8  key theatre  "));
+  EXPECT_THAT(said, HasSubstr("  and 2 more on the stick"));
+}
+
+TEST_F(ServiceTest, NamesInCapitalsAreSeen) {
+  PutOnStick("evening", &company_);
+  fs::rename(folder_ / "stick" / "evening.kaori", folder_ / "stick" / "EVENING.KAORI");
+  ASSERT_TRUE(SaveKey(theatre_, folder_ / "stick" / "theatre"));
+  fs::rename(folder_ / "stick" / "theatre.pub", folder_ / "stick" / "THEATRE.PUB");
+  plugged_ = true;
+  const std::string said = Play(1s);
+  EXPECT_THAT(said, HasSubstr("> 1  EVENING"));
+  EXPECT_THAT(said, HasSubstr("  2  key THEATRE"));
+}
+
 // Both a file's name and what a trial says come from the stick.
 TEST_F(ServiceTest, ALineEndFromTheStickForgesNoLine) {
   PutOnStick("one\nforged", &company_);
@@ -243,6 +341,18 @@ TEST_F(ServiceTest, ALineEndFromTheStickForgesNoLine) {
   EXPECT_THAT(Play(1s), HasSubstr("one?forged"));
   Strike(board::key::kEnter);
   EXPECT_THAT(Play(1s), ::testing::Not(HasSubstr("\nforged")));
+}
+
+// A shell that closes its standard error, and stays.
+TEST(Trial, OfAProgramThatSaysNoMoreAndDoesNotEndIsCutOff) {
+  std::string name = (fs::temp_directory_path() / "kaori-silent-XXXXXX").string();
+  const fs::path folder = ::mkdtemp(name.data());
+  std::ofstream(folder / "stays") << "#!/bin/sh\nexec 2>&-\nexec sleep 3600\n";
+  fs::permissions(folder / "stays", fs::perms::owner_all);
+  const auto tried = TryPack(folder / "stays", "x", 1s);
+  ASSERT_FALSE(tried);
+  EXPECT_EQ(tried.error().cause, std::errc::timed_out);
+  fs::remove_all(folder);
 }
 
 // A shell tells the rights that it has, in place of the stage. The process that gives its own up is another one.

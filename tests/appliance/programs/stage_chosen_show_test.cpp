@@ -56,6 +56,17 @@ TEST_F(ChosenShowTest, IsTheRootsWhereNoneWasChosen) {
   EXPECT_EQ(Played(), "of the root");
 }
 
+TEST_F(ChosenShowTest, ThatIsLostIsSaidToBeWhereTheFolderHoldsShows) {
+  const auto said = [this] {
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(Played(), "of the root");
+    return ::testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(said(), "") << "a new box";
+  PutShow('a', "evening", &company_);
+  EXPECT_THAT(said(), ::testing::HasSubstr("which one is to be played is lost"));
+}
+
 TEST_F(ChosenShowTest, IsTheChosenOneAndAnotherThanBeforeOnce) {
   EXPECT_EQ(Played(), "of the root");
   NoteOrderlyEnd(places_);

@@ -51,6 +51,13 @@ TEST_F(StatusWords, AnUnpluggedDeviceIsNamedWithTheTimeSince) {
   EXPECT_THAT(Said("dial box"), HasSubstr("It was unplugged 2 hours ago;"));
 }
 
+TEST_F(StatusWords, AShowThatWasRefusedHasTheMarkOfAFaultAndAListHasNot) {
+  state_.facts.shows = {"! guest: this box does not trust its signer"};
+  EXPECT_EQ(Said("stick"), "! guest: this box does not trust its signer");
+  state_.facts.shows = {"take a show by its number"};
+  EXPECT_EQ(Said("stick"), "  take a show by its number");
+}
+
 TEST_F(StatusWords, APluggedInDeviceIsNamed) {
   state_.board.surface = {{}, state_.now, SourceState::kLive};
   EXPECT_EQ(Said("dial box"), "  It is plugged in.");
