@@ -29,7 +29,7 @@ demo() {
   choose_evening
   need "${BUILD_PACKAGES[@]}"
   [ -n "$record" ] && need "${RECORD_PACKAGES[@]}"
-  build release programs
+  build release demo ${record:+kaori-rehearsal} ${in_service:+kaori-desk} ${pack:+kaori-atelier}
   local labels=$LABELS
   if [ -n "$pack" ]; then
     choose_pack "$pack"

@@ -4,6 +4,8 @@
 #   - those in the folder KAORI_HOST_TOOLS, or in the PATH (of Yocto's native sysroot), where they are there;
 #   - else kaori-atelier is built first, of these sources, with this machine's compiler and libraries.
 #
+# A build for this machine itself runs kaori-packer, which is sooner built.
+#
 # Sets KAORI_ATELIER, what custom commands run, and KAORI_ATELIER_NEEDS, what they depend on.
 set(KAORI_HOST_TOOLS "" CACHE PATH "A folder with kaori-atelier (and flatc) of this machine, for builds for another one")
 
@@ -45,8 +47,8 @@ if(NOT KAORI_PROGRAMS)
   return()  # No show is packed.
 endif()
 if(KAORI_AUTHORING AND NOT CMAKE_CROSSCOMPILING)
-  set(KAORI_ATELIER kaori-atelier)
-  set(KAORI_ATELIER_NEEDS kaori-atelier)
+  set(KAORI_ATELIER kaori-packer)
+  set(KAORI_ATELIER_NEEDS kaori-packer)
   return()
 endif()
 if(KAORI_HOST_TOOLS)

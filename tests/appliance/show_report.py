@@ -27,8 +27,8 @@ FIGURES = ("jump_states_differ", "takeovers", "takeover_jumps", "handover_step_p
            "blinks_per_min_speaking", "blinks_on_held_lids", "saccade_error_ms", "gaze_target_error_deg", "solo_still_s",
            "replay_bits_differ", "log_kb_per_min", "take_replay_error")
 PROGRAMS = {"test-performance": "*Jump*:*RandomTakeOvers*:*HandOver*:LifeOfBlinks.*:Gaze.*",
-            "test-showlog": "*PlaysAgainToTheBit:*FewBytesForAMinute",
-            "test-report": "*PlaysWhatTheOperatorDid"}
+            "test-core": "*PlaysAgainToTheBit:*FewBytesForAMinute",
+            "test-script": "*PlaysWhatTheOperatorDid"}
 
 
 def measured(program, tests):
