@@ -193,6 +193,51 @@ TEST_F(RolesFileTest, OfTheBoxThatIsWrongChangesNothing) {
   EXPECT_EQ(TextOf(roles_, items_), before);
 }
 
+TEST_F(RolesFileTest, OfTheBoxNamesNoRoleWithoutADeviceThatTheShowHasNot) {
+  roles_ = show::UsualRoles();
+  const std::string before = TextOf(roles_, items_);
+  std::vector<std::string> warnings;
+  const char* const map = "[[role.map]]\ncontrol = \"slider\"\nlevel = \"head_yaw\"\n";
+  const auto faults =
+      LayOver(Write(std::string("\n[[role]]\nname = \"haed\"\n") + map), items_, roles_, &warnings);
+  EXPECT_THAT(faults, ElementsAre(AllOf(HasSubstr("roles.toml:3: role \"haed\""),
+                                        HasSubstr("no role \"haed\""), HasSubstr("did you mean \"head\""))));
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(TextOf(roles_, items_), before);
+  EXPECT_THAT(LayOver(Write(std::string("[[role]]\nname = \"haed\"\ndevice = \"left stick\"\n") + map),
+                      items_, roles_, &warnings),
+              IsEmpty())
+      << "with a device it is a role of its own";
+  EXPECT_EQ(roles_.roles.back().name, "haed");
+  EXPECT_THAT(warnings,
+              ElementsAre(AllOf(HasSubstr("roles.toml:2: role \"haed\""), HasSubstr("did you mean"))));
+}
+
+TEST_F(RolesFileTest, OfTheBoxTakesALevelFromARole) {
+  roles_ = show::UsualRoles();
+  const char* const text =
+      "[[role]]\nname = \"head\"\n[[role.map]]\ncontrol = \"none\"\nlevel = \"head_yaw\"\n";
+  ASSERT_THAT(LayOver(Write(text), items_, roles_), IsEmpty());
+  ASSERT_EQ(roles_.roles[1].maps.size(), 3U);
+  EXPECT_EQ(roles_.roles[1].maps[0].level, Level::kHeadPitch);
+  EXPECT_THAT(Read(std::string("[[role]]\nname = \"head\"\ndevice = \"left stick\"\n[[role.map]]\n") +
+                   "control = \"none\"\nlevel = \"head_yaw\"\n"),
+              ElementsAre(HasSubstr("there is no control \"none\"")))
+      << "a show takes nothing from itself";
+}
+
+TEST_F(RolesFileTest, ComesBackWithAnyName) {
+  roles_ = show::UsualRoles();
+  items_.expressions[1] = "\"angry\" \\ 怒り";
+  roles_.roles[1].name = "die \"Köpfe\" \\ 頭\n";
+  roles_.mixes = {{show::CallKind::kExpression, 1}};
+  roles_.roles[0].maps.push_back({.control = Control::kDial, .dial = 1, .level = Level::kMix1, .to = 1});
+  const std::string text = TextOf(roles_, items_);
+  ASSERT_THAT(Read(text), IsEmpty()) << text;
+  EXPECT_EQ(roles_.roles[1].name, "die \"Köpfe\" \\ 頭\n");
+  EXPECT_EQ(TextOf(roles_, items_), text);
+}
+
 TEST_F(RolesFileTest, PlaysFacesAndExpressionsOfTheShowByTheirNames) {
   EXPECT_THAT(Read(R"([[role]]
 name = "mixer"
