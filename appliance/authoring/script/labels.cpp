@@ -170,6 +170,17 @@ json::List CuesJson(const show::CueList& list) {
   return cues;
 }
 
+// As board::Learn counts them: levels that every show has, faces, expressions.
+json::List TeachableJson(const show::Show& show) {
+  json::List levels;
+  for (std::size_t i = 0; i < show::kNamedLevels; ++i)
+    levels.emplace_back(Readable(std::string(show::kLevels[i].name)));
+  for (const face::Face& one : show.cast.faces) levels.emplace_back("Face " + Readable(one.name));
+  for (const face::Expression& one : show.cast.expressions)
+    levels.emplace_back("Expression " + Readable(one.name));
+  return levels;
+}
+
 }  // namespace
 
 // Only ASCII letters are made large: the name may be in any script.
@@ -217,7 +228,8 @@ std::string LabelsJson(const show::Show& show) {
                             {"cues", CuesJson(show.cue_list)},
                             {"levels", LevelsJson(show)},
                             {"roles", RolesJson(show.roles)},
-                            {"devices", json::ListOf(show::kDeviceNames)}};
+                            {"devices", json::ListOf(show::kDeviceNames)},
+                            {"teachable", TeachableJson(show)}};
   // A name that is not UTF-8 is shown with replacement characters.
   return json::Write(labels, 1) + '\n';
 }
