@@ -2,17 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <thread>
-
-#include "appliance/core/board/caller.h"
 #include "appliance/core/board/keys.h"
-#include "appliance/core/board/lines.h"
-#include "appliance/core/board/press_log.h"
-#include "appliance/programs/stage/chosen_show.h"
-#include "appliance/programs/stage/stage.h"
-#include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
-#include "tests/appliance/core/pack_fixture.h"
+#include "tests/appliance/programs/stage_learn_fixture.h"
 
 namespace kaori::tests {
 namespace {
@@ -21,104 +13,8 @@ using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
 using board::CallVerb;
 using board::LearnCall;
 using board::LearnPhase;
-using board::SourceState;
 using show::Level;
 using ::testing::HasSubstr;
-
-class StageLearn : public PackTest {
- protected:
-  StageLearn()
-      : board_(board::Board::Create((folder_ / "board").string()).value()),
-        surface_writer_(board_.AcquireWriter<board::Surface>().value()),
-        stick_writer_(board_.AcquireWriter<board::Stick>(0).value()),
-        keys_writer_(board_.AcquireWriter<board::Keys>().value()),
-        lines_writer_(board_.AcquireWriter<board::Lines>().value()),
-        caller_(board::Caller::Acquire(board_, board::CallWriter::kControl).value()) {
-    clock_.Advance(100s);
-    Key(true);
-    Write();
-    StartStage();
-  }
-
-  // As the program does it: with the box's own roles over the show's.
-  void StartStage() {
-    stage_.reset();
-    show::Show show = SmallShow();
-    show::Track(show);
-    auto own = stage::OwnRolesOver(show, file_);
-    stage::LayOverRoles(own, show);
-    studio_ = stage::Studio::Open(std::move(show)).value();
-    stage_ = std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_,
-                                            clock_);
-    stage_->LetTeach(std::move(own));
-    Run(1s);
-  }
-  void StartAgain() {
-    ASSERT_NE(stage_->taught(), nullptr);
-    stage_->HandOver(*stage_->taught());
-    StartStage();
-    EXPECT_TRUE(stage_->resumed());
-  }
-  void Key(bool on) { lines_.active = on ? 1U << unsigned(board::Line::kService) : 0; }
-  void Write() {
-    surface_writer_.Write(surface_, clock_.now(), SourceState::kLive);
-    stick_writer_.Write(stick_, clock_.now(), SourceState::kLive);
-    keys_writer_.Write(keys_, clock_.now(), SourceState::kLive);
-    lines_writer_.Write(lines_, clock_.now(), SourceState::kLive);
-  }
-  void Run(Duration time) {
-    for (const Time end = clock_.now() + time; clock_.now() < end;) {
-      Write();
-      clock_.Advance(20ms);
-      stage_->StepUnseen();
-    }
-  }
-  void Call(LearnCall what, std::uint32_t choice = 0) {
-    caller_.Make({.at = clock_.now(),
-                  .verb = CallVerb::kLearn,
-                  .subject = static_cast<std::uint32_t>(what),
-                  .value = static_cast<float>(choice)});
-    Run(20ms);
-  }
-  void Begin(Level level) { Call(LearnCall::kBegin, static_cast<std::uint32_t>(level)); }
-  // The disk is written by a thread of its own.
-  void Keep() {
-    Call(LearnCall::kKeep);
-    for (int i = 0; i < 1000 && Now().phase == LearnPhase::kKeeping; ++i) {
-      std::this_thread::sleep_for(1ms);
-      Run(20ms);
-    }
-  }
-  void Strike(std::size_t usage) {
-    board::NotePress(keys_, usage, clock_.now());
-    Run(20ms);
-  }
-  void Twist(float to) {
-    Run(400ms);
-    stick_.twist = to;
-    Run(700ms);
-    stick_.twist = 0;
-    Run(1s);
-  }
-  board::Learn Now() const { return board_.Read<board::Learn>().value; }
-  float Value(Level level) const { return stage_->state().levels[static_cast<std::size_t>(level)].value; }
-  std::string File() const { return ReadFile(file_).value_or(""); }
-
-  std::filesystem::path file_ = folder_ / "own" / "roles.toml";
-  ManualClock clock_;
-  board::Board board_;
-  board::Writer<board::Surface> surface_writer_;
-  board::Writer<board::Stick> stick_writer_;
-  board::Writer<board::Keys> keys_writer_;
-  board::Writer<board::Lines> lines_writer_;
-  board::Caller caller_;
-  board::Surface surface_;
-  board::Stick stick_;
-  board::Keys keys_;
-  board::Lines lines_;
-  std::unique_ptr<stage::Studio> studio_;
-  std::unique_ptr<stage::Stage> stage_;
-};
 
 TEST_F(StageLearn, LearnsAnAxisOfAStickForALevelAndTheNextStagePlaysIt) {
   Begin(Level::kHeadYaw);
@@ -198,10 +94,7 @@ TEST_F(StageLearn, IsDoneByKeysAtABoxWithoutAPage) {
   EXPECT_EQ(Now().inverted, 1U);
   Strike(board::key::kLeft);
   Strike(board::key::kEnter);
-  for (int i = 0; i < 1000 && Now().phase == LearnPhase::kKeeping; ++i) {
-    std::this_thread::sleep_for(1ms);
-    Run(20ms);
-  }
+  AwaitTheDisk();
   EXPECT_EQ(Now().phase, LearnPhase::kKept);
   Strike(board::key::kEscape);
   EXPECT_EQ(Now().phase, LearnPhase::kEnded);
