@@ -96,13 +96,13 @@ struct WrittenFile {
   std::vector<WrittenRole> roles;
   std::vector<show::Call> mixes{};
   std::optional<float> handover_s{};
-  std::vector<std::string> warnings{};
+  Besides besides{};
 };
 
 // `below`: the roles over which an overlay lies; null for the file of a show.
 WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items, const show::Roles* below) {
   const bool overlay = below != nullptr;
-  file.AllowOnly({"handover_s", "role"});
+  overlay ? file.AllowOnly({"handover_s", "role", "button"}) : file.AllowOnly({"handover_s", "role"});
   WrittenFile written;
   if (overlay) written.mixes = below->mixes;
   LevelReader levels(items, written.mixes);
@@ -127,7 +127,9 @@ WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items
   if (number == 0 && !overlay)
     file.Fault("role", "there is none; without this file sticks and dials play what they usually do");
   CheckCounts(file, written.roles);
-  written.warnings = warnings.lines();
+  if (!overlay) return written;
+  for (toml::Section button : file.Parts("button")) ReadButton(button, items, written.besides.buttons);
+  written.besides.warnings = warnings.lines();
   return written;
 }
 
@@ -150,12 +152,11 @@ std::vector<std::string> ReadRolesFile(const std::filesystem::path& file, const 
 // maps below. The sum of both is checked before it becomes `roles`, since two files that are right
 // can be too much together.
 std::vector<std::string> LayOverText(std::string_view text, const std::string& file, const Items& items,
-                                     show::Roles& roles, std::vector<std::string>* warnings) {
+                                     show::Roles& roles, Besides& besides) {
   const auto value = toml::Parse(text, file);
   if (!value) return {value.error().message()};
   toml::Faults faults(file);
   WrittenFile written = ReadAll(toml::Section(*value, "", faults), faults, items, &roles);
-  if (warnings != nullptr) *warnings = std::move(written.warnings);
   if (faults.any()) return faults.lines();
   show::Roles laid = roles;
   laid.handover_s = written.handover_s.value_or(laid.handover_s);
@@ -177,15 +178,17 @@ std::vector<std::string> LayOverText(std::string_view text, const std::string& f
   std::vector<std::string> wrong;
   show::CheckRoles(laid, wrong);
   for (std::string& line : wrong) line = fmt::format("{}: {}", file, line);
-  if (wrong.empty()) roles = std::move(laid);
-  return wrong;
+  if (!wrong.empty()) return wrong;
+  roles = std::move(laid);
+  besides = std::move(written.besides);
+  return {};
 }
 
 std::vector<std::string> LayOver(const std::filesystem::path& file, const Items& items, show::Roles& roles,
-                                 std::vector<std::string>* warnings) {
+                                 Besides& besides) {
   const auto text = ReadFile(file);
   if (!text) return {text.error().message()};
-  return LayOverText(*text, file.string(), items, roles, warnings);
+  return LayOverText(*text, file.string(), items, roles, besides);
 }
 
 }  // namespace kaori::roles

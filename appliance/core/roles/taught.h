@@ -1,6 +1,7 @@
 // What a person taught the box by moving a control, as lines of the box's own roles.toml.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,12 @@ struct Taught {
   show::RoleMap map;
 };
 
+// A button of the dial box, from 0, and what it is to call on either sheet, as files call it: "cue go".
+struct TaughtButton {
+  std::uint8_t button = 0;
+  std::string call;
+};
+
 // A map of the whole level by a control: of its whole way, one turn of a dial. A spring's middle is the level's
 // rest, so that the range is as wide as both sides allow; nothing where the level rests at an end, since the
 // spring would hold it in its middle. `inverted`: the control's lower end is the level's upper one. Pure.
@@ -37,5 +44,9 @@ std::vector<std::string> OtherLevelsOf(const show::Roles& roles, const Items& it
 //   its roles or maps are not written as tables of their own, [[role]] and [[role.map]]
 Result<std::string> Teach(const std::string& text, const std::string& file, const Items& items,
                           const show::Roles& below, const Taught& taught);
+
+// The same of a button. What its file said of that button is replaced.
+Result<std::string> Teach(const std::string& text, const std::string& file, const Items& items,
+                          const show::Roles& below, const TaughtButton& taught);
 
 }  // namespace kaori::roles

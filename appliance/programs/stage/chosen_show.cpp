@@ -85,9 +85,10 @@ OwnRoles OwnRolesOver(const show::Show& show, std::filesystem::path file) {
 
 void LayOverRoles(const OwnRoles& own, show::Show& show) {
   if (!IsThere(own.file)) return;
-  std::vector<std::string> warnings;
-  const auto faults = roles::LayOver(own.file, own.items, show.roles, &warnings);
-  for (const std::string& line : warnings) LogWarning("{}", line);
+  roles::Besides besides;
+  const auto faults = roles::LayOver(own.file, own.items, show.roles, besides);
+  roles::Assign(besides.buttons, show);
+  for (const std::string& line : besides.warnings) LogWarning("{}", line);
   for (const std::string& fault : faults) LogWarning("{}", fault);
   if (!faults.empty()) LogWarning("the show is played with its own roles");
 }

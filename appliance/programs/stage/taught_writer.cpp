@@ -24,8 +24,8 @@ TaughtWriter::TaughtWriter(const OwnRoles& own)
         return true;  // What was refused is asked for again by a person, or not at all.
       }) {}
 
-void TaughtWriter::Write(const roles::Taught& taught) {
-  taught_ = taught;
+void TaughtWriter::Write(const Lesson& lesson) {
+  lesson_ = lesson;
   writer_.Ask(/*at_once=*/true);
 }
 
@@ -39,7 +39,10 @@ Result<void> TaughtWriter::WriteOut() {
     if (!text) return tl::unexpected(text.error());
     before = std::move(*text);
   }
-  const auto text = roles::Teach(before, name, own_.items, own_.below, taught_);
+  const auto teach = [&](const auto& taught) {
+    return roles::Teach(before, name, own_.items, own_.below, taught);
+  };
+  const auto text = std::visit(teach, lesson_);
   if (!text) return tl::unexpected(text.error());
   std::error_code error;
   std::filesystem::create_directories(own_.file.parent_path(), error);
@@ -49,7 +52,8 @@ Result<void> TaughtWriter::WriteOut() {
     if (auto kept = WriteWholeFile(name + ".before", {AsBytes(before)}); !kept) return kept;
   if (auto written = WriteWholeFile(own_.file, {AsBytes(*text)}); !written) return written;
   laid_ = own_.below;
-  const auto faults = roles::LayOverText(*text, name, own_.items, laid_);
+  roles::Besides besides;
+  const auto faults = roles::LayOverText(*text, name, own_.items, laid_, besides);
   return faults.empty() ? Result<void>{} : FailInput(fmt::format("{}", fmt::join(faults, "; ")));
 }
 

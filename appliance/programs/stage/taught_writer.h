@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <variant>
 
 #include "appliance/core/roles/taught.h"
 #include "drivers/base/background_writer.h"
@@ -16,6 +17,9 @@ struct OwnRoles {
   show::Roles below;           // Those of the show.
 };
 
+// A control for a level, or a button for a call.
+using Lesson = std::variant<roles::Taught, roles::TaughtButton>;
+
 // One thread calls the members.
 class TaughtWriter {
  public:
@@ -24,7 +28,7 @@ class TaughtWriter {
 
   // Adds what was taught to the file, and returns without waiting. The file as it was lies beside it
   // afterwards, as NAME.before. Only to be called while none is under way. What refuses is logged.
-  void Write(const roles::Taught& taught);
+  void Write(const Lesson& lesson);
   bool busy() const { return writer_.busy(); }
 
   // Of the last Write, once it is no longer busy.
@@ -37,7 +41,7 @@ class TaughtWriter {
   Result<void> WriteOut();
 
   const OwnRoles& own_;
-  roles::Taught taught_;  // The thread owns both while the writer is busy.
+  Lesson lesson_;  // The thread owns both while the writer is busy.
   show::Roles laid_;
   std::atomic<bool> failed_ = false;
   BackgroundWriter writer_;  // Last: it uses all the others.

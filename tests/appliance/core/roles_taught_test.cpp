@@ -39,8 +39,15 @@ class TaughtTest : public ::testing::Test {
     EXPECT_TRUE(text) << text.error().message();
     text_ = text.value_or("");
     show::Roles laid = below_;
-    EXPECT_THAT(LayOverText(text_, "roles.toml", items_, laid), IsEmpty()) << text_;
+    EXPECT_THAT(LayOverText(text_, "roles.toml", items_, laid, besides_), IsEmpty()) << text_;
     return laid;
+  }
+  void LearnButton(std::uint8_t button, const char* call) {
+    const auto text = Teach(text_, "roles.toml", items_, below_, TaughtButton{button, call});
+    ASSERT_TRUE(text) << text.error().message();
+    text_ = *text;
+    show::Roles laid = below_;
+    EXPECT_THAT(LayOverText(text_, "roles.toml", items_, laid, besides_), IsEmpty()) << text_;
   }
   static const show::Role& RoleOf(const show::Roles& roles, std::string_view name) {
     return *std::ranges::find(roles.roles, name, &show::Role::name);
@@ -56,6 +63,7 @@ class TaughtTest : public ::testing::Test {
   Items items_{.faces = {"kaori"}, .expressions = {"neutral", "angry", "the \"old\" \\ 怒り"}};
   show::Roles below_ = show::UsualRoles();
   std::string text_;
+  Besides besides_;
 };
 
 TEST_F(TaughtTest, BeginsAFileWhereThereIsNone) {
@@ -180,6 +188,33 @@ TEST_F(TaughtTest, RefusesAFileThatIsWrongAndOneWithoutTablesOfItsOwn) {
   const auto unreadable =
       refused("[[role]]\nname = \"head\"\nmap = [{ control = \"y\", level = \"brow\" }]\n");
   EXPECT_NE(unreadable, "taught") << "a list in one line takes no further table";
+}
+
+TEST_F(TaughtTest, LearnsButtonsBesideRoles) {
+  LearnButton(4, "cue go");
+  Learn(By(Device::kDialBox, "dial 3", "head_yaw", Level::kHeadYaw));
+  LearnButton(6, "expression angry");
+  Learn(By(Device::kDialBox, "dial 4", "head_yaw", Level::kHeadYaw));
+  LearnButton(4, "face kaori");
+  ASSERT_EQ(besides_.buttons.size(), 2U) << text_;
+  EXPECT_EQ(NameOf(besides_.buttons[0].call, items_), "expression angry");
+  EXPECT_EQ(besides_.buttons[1].button, 4);
+  EXPECT_EQ(NameOf(besides_.buttons[1].call, items_), "face kaori") << "in place of GO";
+  const show::Roles roles = Learn(By(Device::kDialBox, "dial 5", "brow", Level::kBrow));
+  EXPECT_THAT(ControlsOn(roles, "taught dial box", Level::kHeadYaw), ElementsAre("dial 4"));
+  EXPECT_THAT(ControlsOn(roles, "taught dial box", Level::kBrow), ElementsAre("dial 5"));
+}
+
+TEST_F(TaughtTest, KeepsWhatAPersonWroteBetweenButtons) {
+  text_ =
+      "[[button]]\nnumber = 5  # the large one\ncall = \"cue go\"\n\n# Old habits:\n[[button]]\nnumber = "
+      "6\ncall = \"cue back\"\n";
+  LearnButton(4, "cue panic");
+  EXPECT_EQ(text_,
+            "\n# Old habits:\n[[button]]\nnumber = 6\ncall = \"cue back\"\n\n[[button]]\nnumber = 5\ncall = "
+            "\"cue panic\"\n");
+  EXPECT_FALSE(Teach("button = [{ number = 5, call = \"cue go\" }]\n", "roles.toml", items_, below_,
+                     TaughtButton{4, "cue back"}));
 }
 
 TEST_F(TaughtTest, RefusesOneRoleTooMany) {
