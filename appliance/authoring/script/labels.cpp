@@ -170,14 +170,20 @@ json::List CuesJson(const show::CueList& list) {
   return cues;
 }
 
-// As board::Learn counts them: levels that every show has, faces, expressions.
+// As board::Learn counts them: levels that every show has, faces, expressions; calls of the cue list, of faces
+// and of expressions.
 json::List TeachableJson(const show::Show& show) {
   json::List levels;
   for (std::size_t i = 0; i < show::kNamedLevels; ++i)
     levels.emplace_back(Readable(std::string(show::kLevels[i].name)));
-  for (const face::Face& one : show.cast.faces) levels.emplace_back("Face " + Readable(one.name));
-  for (const face::Expression& one : show.cast.expressions)
-    levels.emplace_back("Expression " + Readable(one.name));
+  const auto add_items = [&](const char* face_words, const char* expression_words) {
+    for (const face::Face& one : show.cast.faces) levels.emplace_back(face_words + Readable(one.name));
+    for (const face::Expression& one : show.cast.expressions)
+      levels.emplace_back(expression_words + Readable(one.name));
+  };
+  add_items("Face ", "Expression ");
+  for (const char* verb : kCueVerbs) levels.emplace_back(std::string("Call ") + verb);
+  add_items("Call face ", "Call expression ");
   return levels;
 }
 

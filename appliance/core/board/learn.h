@@ -1,4 +1,4 @@
-// Learn mode: a person says which level is to be played and moves a control; the box finds out which control
+// Learn mode: a person says what is to be played or called and moves a control; the box finds out which control
 // that was, and keeps it when the person agrees.
 #pragma once
 
@@ -31,18 +31,18 @@ enum class LearnCall : std::uint32_t { kEnd, kBegin, kKeep, kTurnRound };
 struct Learn {
   static constexpr const char* kName = "learn";
   LearnPhase phase = LearnPhase::kNever;
-  // The level, counted from 0: those that every show has (show::Level), then the show's faces, then its
-  // expressions.
+  // What is taught, counted from 0: levels that every show has (show::Level), then the show's faces and its
+  // expressions as levels; then what buttons may call: show::CueVerb, faces, expressions.
   std::uint32_t choice = 0;
-  CheckedItem found{};          // The control, from kFound on: an axis or a dial.
+  CheckedItem found{};          // The control, from kFound on: an axis or a dial; of a call a button.
   std::uint32_t inverted = 0;   // 1: its lower end is the level's upper one.
-  std::uint32_t instead = 0;    // 1: it moves another level until now.
+  std::uint32_t instead = 0;    // 1: it plays something else until now.
   std::uint32_t restless = 0;   // 1: this control does not rest, so that it cannot be the one that is meant.
   CheckedItem moves_itself{};   //
   std::uint32_t ambiguous = 0;  // 1: two controls moved alike.
 };
 
-// The name of an axis or a dial with its device, for people: "left stick twist", "dial box dial 3".
+// The name of an axis, a dial or a button with its device, for people: "left stick twist", "dial box dial 3".
 std::string NameOf(const CheckedItem& control);
 
 }  // namespace kaori::board

@@ -8,6 +8,7 @@
 
 #include "appliance/core/board/keys.h"
 #include "appliance/core/board/lines.h"
+#include "appliance/core/show/cue_names.h"
 #include "appliance/programs/stage/withheld.h"
 #include "drivers/base/log.h"
 
@@ -114,9 +115,10 @@ void Learner::Begin(const Frame& frame) {
 void Learner::Choose(std::uint32_t choice, const Frame& frame) {
   now_ = {.phase = LearnPhase::kAsking, .choice = choice};
   found_.reset();
-  taught_.reset();
+  lesson_.reset();
   changed_at_ = frame.now;
-  finder_.Begin(frame.live, frame.now);
+  controls_.Begin(frame.live, frame.now);
+  buttons_.Begin(frame.live, frame.now);
 }
 
 // While the file is written nothing else is begun, so that what is shown is what is kept.
@@ -130,7 +132,7 @@ void Learner::Do(const Wish& wish, const Frame& frame) {
     return Choose(static_cast<std::uint32_t>(choice), frame);
   }
   if (!IsFound()) return;
-  if (wish.call == LearnCall::kTurnRound) {
+  if (wish.call == LearnCall::kTurnRound && !IsCall()) {
     now_.inverted ^= 1U;
     Propose(frame);
   }
@@ -145,13 +147,15 @@ void Learner::Look(const Frame& frame) {
     if (!file_->failed()) kept_ = file_->laid();
     return;
   }
-  finder_.Look(frame.live, frame.now);
-  const auto restless = finder_.restless(frame.now);
+  controls_.Look(frame.live, frame.now);
+  buttons_.Look(frame.live, frame.now);
+  const bool call = IsCall();
+  const auto restless = call ? buttons_.restless() : controls_.restless(frame.now);
   now_.restless = restless ? 1 : 0;
   now_.moves_itself = restless.value_or(CheckedItem{});
-  now_.ambiguous = finder_.ambiguous() ? 1 : 0;
-  const auto& found = finder_.found();
-  if (finder_.changed_at() > changed_at_) changed_at_ = finder_.changed_at();
+  now_.ambiguous = (call ? buttons_.ambiguous() : controls_.ambiguous()) ? 1 : 0;
+  const auto& found = call ? buttons_.found() : controls_.found();
+  changed_at_ = std::max({changed_at_, buttons_.changed_at(), controls_.changed_at()});
   // After a level was kept the next one is to be picked first.
   if (!found || now_.phase == LearnPhase::kKept || (found_ && IsSame(*found, *found_))) return;
   found_ = found;
@@ -160,23 +164,46 @@ void Learner::Look(const Frame& frame) {
 }
 
 void Learner::Propose(const Frame& frame) {
+  now_.found = *found_;
+  changed_at_ = frame.now;
+  lesson_.reset();
+  instead_.clear();
+  IsCall() ? ProposeButton(frame) : ProposeControl(frame);
+  now_.phase = lesson_ ? LearnPhase::kFound : LearnPhase::kUnfit;
+  now_.instead = instead_.empty() ? 0 : 1;
+}
+
+void Learner::ProposeControl(const Frame& frame) {
   const auto level =
       now_.choice < show::kNamedLevels ? static_cast<show::Level>(now_.choice) : show::MixLevel(0);
   const auto map = roles::MapOfWhole(level, ControlOf(*found_), now_.inverted != 0);
-  now_.found = *found_;
-  changed_at_ = frame.now;
-  now_.phase = map ? LearnPhase::kFound : LearnPhase::kUnfit;
   if (!map) return;
-  taught_ = roles::Taught{NameOfChoice(), static_cast<show::Device>(found_->device), *map};
-  instead_ = roles::OtherLevelsOf(kept_ ? *kept_ : frame.roles, own_.items, *taught_);
-  now_.instead = instead_.empty() ? 0 : 1;
+  const roles::Taught taught{NameOfChoice(), static_cast<show::Device>(found_->device), *map};
+  instead_ = roles::OtherLevelsOf(kept_ ? *kept_ : frame.show.roles, own_.items, taught);
+  lesson_ = taught;
+}
+
+// What the show plays stays as it was until the stage starts again: a button that was taught a moment ago is
+// said to call what it called before.
+void Learner::ProposeButton(const Frame& frame) {
+  const roles::TaughtButton taught{static_cast<std::uint8_t>(found_->number), NameOfChoice()};
+  for (const show::Call& call :
+       {frame.show.buttons[taught.button], frame.show.second_buttons[taught.button]}) {
+    if (call.kind == show::CallKind::kNothing) continue;
+    std::string name = roles::NameOf(call, own_.items);
+    if (name.empty()) name = "what it calls now";
+    if (name != taught.call && std::ranges::find(instead_, name) == instead_.end())
+      instead_.push_back(std::move(name));
+  }
+  lesson_ = taught;
 }
 
 void Learner::Keep(const Frame& frame) {
   now_.phase = LearnPhase::kKeeping;
   changed_at_ = frame.now;
-  file_->Write(*taught_);
-  Log("{} is to play {} from the next start of the stage on", board::NameOf(now_.found), taught_->level);
+  file_->Write(*lesson_);
+  Log("{} is to {} {} from the next start of the stage on", board::NameOf(now_.found),
+      IsCall() ? "call" : "play", NameOfChoice());
 }
 
 void Learner::End(const char* why) {
@@ -198,9 +225,14 @@ void Learner::Withhold() {
   Release(left_);
 }
 
+// Levels that every show has, faces and expressions as levels; calls of the cue list, of faces and expressions.
 std::uint32_t Learner::ChoiceCount() const {
-  return static_cast<std::uint32_t>(show::kNamedLevels + own_.items.faces.size() +
-                                    own_.items.expressions.size());
+  const std::size_t items = own_.items.faces.size() + own_.items.expressions.size();
+  return static_cast<std::uint32_t>(show::kNamedLevels + items + show::kCueVerbCount + items);
+}
+
+bool Learner::IsCall() const {
+  return now_.choice >= show::kNamedLevels + own_.items.faces.size() + own_.items.expressions.size();
 }
 
 // As files call it.
@@ -208,12 +240,19 @@ std::string Learner::NameOfChoice() const {
   std::size_t choice = now_.choice;
   if (choice < show::kNamedLevels) return std::string(show::kLevels[choice].name);
   choice -= show::kNamedLevels;
+  const std::size_t items = own_.items.faces.size() + own_.items.expressions.size();
+  if (choice >= items) {
+    choice -= items;
+    if (choice < show::kCueVerbCount) return fmt::format("cue {}", show::kCueVerbNames[choice]);
+    choice -= show::kCueVerbCount;
+  }
   if (choice < own_.items.faces.size()) return "face " + own_.items.faces[choice];
   return "expression " + own_.items.expressions[choice - own_.items.faces.size()];
 }
 
 std::vector<std::string> Learner::Lines() const {
-  std::vector<std::string> lines{fmt::format("teach: what plays {}?", NameOfChoice())};
+  std::vector<std::string> lines{
+      fmt::format("teach: what {} {}?", IsCall() ? "calls" : "plays", NameOfChoice())};
   const std::string control = board::NameOf(now_.found);
   switch (now_.phase) {
     case LearnPhase::kFound:
@@ -221,7 +260,8 @@ std::vector<std::string> Learner::Lines() const {
       lines.push_back(control + (now_.inverted != 0 ? ", inverted" : ""));
       if (now_.instead != 0) lines.push_back(fmt::format("instead of {}", fmt::join(instead_, ", ")));
       if (now_.phase == LearnPhase::kRefused) lines.emplace_back("it could not be kept; see the log");
-      lines.emplace_back("Enter keeps it   Left, Right turn it round   Esc ends");
+      lines.emplace_back(IsCall() ? "Enter keeps it   Esc ends"
+                                  : "Enter keeps it   Left, Right turn it round   Esc ends");
       return lines;
     case LearnPhase::kUnfit:
       lines.push_back(control + " springs back, and this level rests at an end");
@@ -231,7 +271,7 @@ std::vector<std::string> Learner::Lines() const {
       return lines;
     case LearnPhase::kKept:
       lines.push_back(control + " is kept");
-      lines.emplace_back("Up, Down: another level   Esc ends: the stage starts again with it");
+      lines.emplace_back("Up, Down: another   Esc ends: the stage starts again with it");
       return lines;
     case LearnPhase::kNever:
     case LearnPhase::kAsking:
@@ -239,8 +279,9 @@ std::vector<std::string> Learner::Lines() const {
       break;
   }
   if (now_.restless != 0) lines.push_back(board::NameOf(now_.moves_itself) + " does not rest");
-  if (now_.ambiguous != 0) lines.emplace_back("two controls moved alike: move one alone");
-  lines.emplace_back("move a control   Up, Down: another level   Esc ends");
+  if (now_.ambiguous != 0) lines.emplace_back("two at once: move one alone");
+  lines.push_back(
+      fmt::format("{}   Up, Down: another   Esc ends", IsCall() ? "push a button" : "move a control"));
   return lines;
 }
 

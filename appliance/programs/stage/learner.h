@@ -1,4 +1,5 @@
-// Learn mode as the stage runs it: a person picks a level and moves a control, and the box keeps which one.
+// Learn mode as the stage runs it: a person picks a level and moves a control, or a call and pushes a button,
+// and the box keeps which one.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/snapshot.h"
+#include "appliance/core/linecheck/button_finder.h"
 #include "appliance/core/linecheck/control_finder.h"
 #include "appliance/core/performance/input_events.h"
 #include "appliance/core/roles/taught.h"
@@ -36,7 +38,7 @@ class Learner {
   struct Frame {
     const board::Snapshot& live;
     const board::Snapshot& snapshot;
-    const show::Roles& roles;  // That are played.
+    const show::Show& show;  // That is played.
     Time now{};
   };
   // Handles calls and keys, takes out of `events` what the show is not to have, and gives what is left of the
@@ -64,14 +66,18 @@ class Learner {
   void Do(const Wish& wish, const Frame& frame);
   // Looks whether another control was found, and whether what is kept is written.
   void Look(const Frame& frame);
-  // What is found, as a map; says whether it fits.
+  // What is found, as a lesson; says whether it fits.
   void Propose(const Frame& frame);
+  void ProposeControl(const Frame& frame);
+  void ProposeButton(const Frame& frame);
   void Keep(const Frame& frame);
   void EndWhereDue(const Frame& frame);
   void End(const char* why);
   void Withhold();
 
   std::uint32_t ChoiceCount() const;
+  // Whether it is something to be called, by a button, and no level.
+  bool IsCall() const;
   std::string NameOfChoice() const;
   bool IsFound() const {
     return now_.phase == board::LearnPhase::kFound || now_.phase == board::LearnPhase::kRefused;
@@ -81,10 +87,11 @@ class Learner {
   OwnRoles own_;
   bool running_ = false, ends_ = false;  // ends_: somebody wants it to end.
   board::Learn now_;
-  linecheck::ControlFinder finder_;
+  linecheck::ControlFinder controls_;
+  linecheck::ButtonFinder buttons_;
   std::optional<board::CheckedItem> found_;
-  std::optional<roles::Taught> taught_;  // That would be kept.
-  std::vector<std::string> instead_;     // Levels that the control moves until now.
+  std::optional<Lesson> lesson_;      // That would be kept.
+  std::vector<std::string> instead_;  // What the control moves or calls until now.
   std::optional<TaughtWriter> file_;
   std::optional<show::Roles> kept_;
   Time changed_at_{};

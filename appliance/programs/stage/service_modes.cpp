@@ -7,7 +7,7 @@ const board::Snapshot& ServiceModes::Step(const LineChecker::Frame& frame, perfo
     const board::Snapshot& left = checker_.Step(frame, events);
     if (checker_.running() || &left != &frame.snapshot) return left;
   }
-  return learner_.Step({frame.live, frame.snapshot, frame.show.roles, frame.now}, events);
+  return learner_.Step({frame.live, frame.snapshot, frame.show, frame.now}, events);
 }
 
 }  // namespace kaori::stage

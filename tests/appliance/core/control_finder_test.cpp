@@ -1,4 +1,4 @@
-// Which control a person moved, among others that jitter, creep or are held.
+// Which control a person moved or pushed, among others that jitter, creep or are held.
 #include "appliance/core/linecheck/control_finder.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "appliance/core/linecheck/button_finder.h"
 #include "appliance/core/show/roles.h"
 
 namespace kaori::linecheck {
@@ -145,6 +146,69 @@ TEST_F(ControlFinderTest, CountsDialsOverTheEndOfTheirCounts) {
         static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max() - 10) + turned);
   });
   EXPECT_EQ(Found(), "dial box dial 1");
+}
+
+class ButtonFinderTest : public ::testing::Test {
+ protected:
+  ButtonFinderTest() {
+    board_.surface = {{}, now_, SourceState::kLive};
+    finder_.Begin(board_, now_);
+  }
+  void Run(Duration time) {
+    for (Duration t{}; t < time; t += kFrame) {
+      now_ += kFrame;
+      finder_.Look(board_, now_);
+    }
+  }
+  std::string Found() const { return finder_.found() ? board::NameOf(*finder_.found()) : ""; }
+
+  board::Snapshot board_;
+  Time now_{100s};
+  ButtonFinder finder_;
+};
+
+TEST_F(ButtonFinderTest, FindsTheOneThatWasPushed) {
+  Run(1s);
+  EXPECT_EQ(Found(), "");
+  ++board_.surface.value.pushes[6];
+  Run(1s);
+  EXPECT_EQ(Found(), "dial box button 7");
+  board_.surface.value.pushes[31] += 2;
+  Run(1s);
+  EXPECT_EQ(Found(), "dial box button 32") << "twice, to make sure";
+}
+
+TEST_F(ButtonFinderTest, SaysSoWhereTwoWerePushedTogether) {
+  ++board_.surface.value.pushes[6];
+  Run(200ms);
+  ++board_.surface.value.pushes[7];
+  Run(1s);
+  EXPECT_EQ(Found(), "");
+  EXPECT_TRUE(finder_.ambiguous());
+}
+
+TEST_F(ButtonFinderTest, PassesOverOneThatChatters) {
+  for (int i = 0; i < 100; ++i) {
+    ++board_.surface.value.pushes[3];
+    Run(kFrame);
+  }
+  EXPECT_EQ(Found(), "");
+  ASSERT_TRUE(finder_.restless());
+  EXPECT_EQ(board::NameOf(*finder_.restless()), "dial box button 4");
+  for (int i = 0; i < 50; ++i) {
+    ++board_.surface.value.pushes[3];
+    if (i == 10) ++board_.surface.value.pushes[9];
+    Run(kFrame);
+  }
+  EXPECT_EQ(Found(), "dial box button 10");
+}
+
+TEST_F(ButtonFinderTest, DoesNotTakeOneThatIsLetGo) {
+  board_.surface.value.buttons_down = 1;
+  finder_.Begin(board_, now_);
+  board_.surface.value.buttons_down = 0;
+  Run(1s);
+  EXPECT_EQ(Found(), "");
 }
 
 }  // namespace

@@ -82,6 +82,28 @@ TEST_F(StageLearn, LearnsDialsForSeveralLevelsOneAfterTheOther) {
   EXPECT_THAT(File(), HasSubstr("level = \"expression " + SmallShow().cast.expressions[1].name + "\""));
 }
 
+TEST_F(StageLearn, LearnsAButtonForGo) {
+  const auto items = SmallShow().cast.faces.size() + SmallShow().cast.expressions.size();
+  Call(LearnCall::kBegin, static_cast<std::uint32_t>(show::kNamedLevels + items));
+  Twist(1);
+  EXPECT_EQ(Now().phase, LearnPhase::kAsking) << "a stick is no button";
+  board::NotePress(surface_, 3, clock_.now());
+  Run(1s);
+  ASSERT_EQ(Now().phase, LearnPhase::kFound);
+  EXPECT_EQ(board::NameOf(Now().found), "dial box button 4");
+  EXPECT_EQ(Now().instead, 1U) << "it calls a face until now";
+  EXPECT_EQ(stage_->state().faces.to, 0) << "and does not while it is taught";
+  Call(LearnCall::kTurnRound);
+  EXPECT_EQ(Now().inverted, 0U);
+  Keep();
+  Call(LearnCall::kEnd);
+  StartAgain();
+  board::NotePress(surface_, 3, clock_.now());
+  Run(1s);
+  EXPECT_EQ(stage_->state().cue_run.active, 0);
+  EXPECT_EQ(stage_->state().faces.to, 0);
+}
+
 TEST_F(StageLearn, IsDoneByKeysAtABoxWithoutAPage) {
   Strike(board::key::kEnd);
   ASSERT_EQ(Now().phase, LearnPhase::kAsking);
@@ -105,8 +127,8 @@ TEST_F(StageLearn, LeavesTheListOfLevelsByBothItsEnds) {
   Strike(board::key::kEnd);
   Strike(board::key::kUp);
   const auto last = Now().choice;
-  EXPECT_EQ(last,
-            show::kNamedLevels + SmallShow().cast.faces.size() + SmallShow().cast.expressions.size() - 1);
+  const auto items = SmallShow().cast.faces.size() + SmallShow().cast.expressions.size();
+  EXPECT_EQ(last, show::kNamedLevels + 2 * items + show::kCueVerbCount - 1);
   Strike(board::key::kDown);
   EXPECT_EQ(Now().choice, 0U);
 }
