@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kLearnPhaseCount = 8;
 enum class LearnCall : std::uint32_t { kEnd, kBegin, kKeep, kTurnRound };
 
 //   writer   kaori-stage at each frame while somebody teaches, and once when it has ended
-//   readers  who shows it to people: in the demo its page
+//   readers  kaori-status; who shows it to people: in the demo its page
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct Learn {
   static constexpr const char* kName = "learn";
