@@ -203,6 +203,14 @@ TEST_F(ButtonFinderTest, PassesOverOneThatChatters) {
   EXPECT_EQ(Found(), "dial box button 10");
 }
 
+TEST_F(ButtonFinderTest, PassesOverOneThatChattersSlowly) {
+  for (int i = 0; i < 30; ++i) {
+    ++board_.surface.value.pushes[3];
+    Run(100ms);
+    EXPECT_EQ(Found(), "") << "no person pushes five times within half a second";
+  }
+}
+
 TEST_F(ButtonFinderTest, DoesNotTakeOneThatIsLetGo) {
   board_.surface.value.buttons_down = 1;
   finder_.Begin(board_, now_);
