@@ -47,13 +47,14 @@ void ButtonFinder::Look(const board::Snapshot& board, Time now) {
 // One that is about to be known as chattering has been pushed too often already.
 void ButtonFinder::Decide(Time now) {
   decides_at_.reset();
-  changed_at_ = now;
   std::size_t count = 0, button = 0;
   for (std::size_t n = 0; n < contacts_.size(); ++n) {
     const std::uint32_t pushes = PushesOf(n);
     if (pushes != 0 && pushes <= kMostPushes) ++count, button = n;
     decided_[n] = contacts_[n].pushes();
   }
+  if (count == 0) return;
+  changed_at_ = now;
   ambiguous_ = count > 1;
   if (count == 1) found_ = ButtonItem(button);
 }

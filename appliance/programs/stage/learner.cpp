@@ -69,8 +69,8 @@ void Learner::EndWhereDue(const Frame& frame) {
     End(", since nothing was moved for two minutes");
 }
 
-// Calls of learn mode are its own, whether it runs or not. The key that begins it is the show's while the
-// service key is off, which MayBegin says.
+// Calls of learn mode are its own, whether it runs or not. Without it the key that begins it alone is; the
+// others play.
 Learner::Wish Learner::ReadWish(performance::InputEvents& events) const {
   Wish wish;
   events.ConsumeCalls([&](const board::Call& call) {

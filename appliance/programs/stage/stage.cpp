@@ -9,6 +9,7 @@
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/motions.h"
+#include "appliance/core/performance/recall.h"
 #include "appliance/programs/stage/service_display.h"
 #include "appliance/programs/stage/show_now.h"
 #include "drivers/base/log.h"
@@ -53,8 +54,9 @@ bool Waits(const Error& error) {
 // back.
 Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
     : board_(board), snapshots_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
-  const auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
+  auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
   resumed_ = kept && performance::IsValid(*kept, studio.show());
+  if (resumed_) performance::AdoptRoles(*kept, studio.show().roles);
   state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
   status_.frames = board.Read<board::StageStatus>().value.frames;
   motion_now_ = board.Read<board::MotionNow>().value;

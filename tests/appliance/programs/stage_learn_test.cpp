@@ -39,6 +39,20 @@ TEST_F(StageLearn, LearnsAnAxisOfAStickForALevelAndTheNextStagePlaysIt) {
   EXPECT_EQ(Value(Level::kHeadYaw), 0) << "another axis of the same role had it before";
 }
 
+TEST_F(StageLearn, IsPlayedAfterAStageThatDiedWhileItWasTaughtToo) {
+  Begin(Level::kBrow);
+  Run(400ms);
+  surface_.counts[2] += 100;
+  Run(1s);
+  Keep();
+  ASSERT_EQ(Now().phase, LearnPhase::kKept);
+  StartStage();
+  ASSERT_TRUE(stage_->resumed());
+  surface_.counts[2] += 128;
+  Run(2s);
+  EXPECT_FLOAT_EQ(Value(Level::kBrow), 1) << "the role is new, and nobody has taken it from its device";
+}
+
 TEST_F(StageLearn, TurnsAControlRound) {
   Begin(Level::kHeadYaw);
   Twist(1);
