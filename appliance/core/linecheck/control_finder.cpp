@@ -17,11 +17,11 @@ constexpr Duration kLooksFor = 500ms;
 constexpr Duration kLongestMovement = 2s;  // What takes longer to go so far creeps.
 constexpr Duration kRestlessAfter = 2s;
 constexpr float kMeant = 0.3F;
-constexpr float kAlike =
-    0.6F;  // Of the furthest way: a person pushes no axis without the other moving a little.
+// Of the furthest way: nobody pushes one axis without moving the other a little.
+constexpr float kAlike = 0.6F;
 constexpr float kWayOfDial = 0.5F;  // Turns, in place of an end.
 
-// How far it went from where it rested, 1 is from a middle to an end.
+// How far it went from where it rested; 1 is the way from a middle to an end.
 float FarOf(const CheckedItem& item, const Way& way) {
   return (way.high() - way.low()) / (item.kind == CheckedKind::kDial ? kWayOfDial : 1.0F);
 }
