@@ -116,6 +116,7 @@ std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (!ReadTexts(json, "styles", into.styles)) return "styles";
   if (!ReadTexts(json, "roles", into.roles)) return "roles";
   if (!ReadTexts(json, "devices", into.devices)) return "devices";
+  if (!ReadTexts(json, "teachable", into.teachable)) return "teachable";
   // Rows have a fixed length, but the keys: as many as the file has, or one row of the most.
   if (json.contains("keys")) into.keys.assign(std::min(json["keys"].size(), kMostKeys), {});
   if (json.contains("cues")) into.cues.assign(std::min(json["cues"].size(), kMostCues), {});
@@ -148,10 +149,10 @@ Result<Labels> LoadLabels(const std::string& path) {
 }
 
 std::string LabelsJson(const Labels& labels) {
-  Json json{{"show", labels.show},     {"dials", Json::array()},   {"buttons", Json::array()},
-            {"sticks", Json::array()}, {"scenes", labels.scenes},  {"styles", labels.styles},
-            {"keys", Json::array()},   {"cues", Json::array()},    {"levels", Json::array()},
-            {"roles", labels.roles},   {"devices", labels.devices}};
+  Json json{{"show", labels.show},     {"dials", Json::array()},    {"buttons", Json::array()},
+            {"sticks", Json::array()}, {"scenes", labels.scenes},   {"styles", labels.styles},
+            {"keys", Json::array()},   {"cues", Json::array()},     {"levels", Json::array()},
+            {"roles", labels.roles},   {"devices", labels.devices}, {"teachable", labels.teachable}};
   for (const auto& dial : labels.dials) json["dials"].push_back(DialJson(dial));
   for (const auto& button : labels.buttons)
     json["buttons"].push_back({{"text", button.text}, {"group", button.group}});

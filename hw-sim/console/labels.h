@@ -86,6 +86,7 @@ struct Labels {
   std::vector<LevelLabel> levels{};
   std::vector<std::string> roles{};
   std::vector<std::string> devices{};
+  std::vector<std::string> teachable{};  // Levels that may be taught, as board::Learn counts them.
   // In the order in which the page shows them. What every show has, until it says more.
   std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
 };
@@ -100,7 +101,7 @@ Result<Labels> LoadLabels(const std::string& path);
 //  "buttons":[{"text","group"}..], "second_buttons":[..], "sticks":[{"text","twist","slide"}..],
 //  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..],
 //  "cues":[{"number","text","act","notes","by_itself"}..], "levels":[{"text","unit","per_unit","low","high","rest"}..],
-//  "roles":[name..], "devices":[name..]}
+//  "roles":[name..], "devices":[name..], "teachable":[name..]}
 std::string LabelsJson(const Labels& labels);
 
 }  // namespace kaori::console

@@ -54,6 +54,21 @@ Result<void> WantTally(Scene& scene, bool lit) {
   return FailInput(fmt::format("the tally lamp is not {}", lit ? "lit" : "dark"));
 }
 
+// Opens all switches at its end, also where a check or its control ends before its time: with the service key left on
+// sticks are let in, in each check that follows.
+class SwitchesOpenAfterwards {
+ public:
+  explicit SwitchesOpenAfterwards(Scene& scene) : bridge_(scene.target.rig().gpio()) {}
+  ~SwitchesOpenAfterwards() {
+    for (const int line : {kGo, kBlackout, kService, kPresence}) bridge_.Open(line);
+  }
+  SwitchesOpenAfterwards(const SwitchesOpenAfterwards&) = delete;
+  SwitchesOpenAfterwards& operator=(const SwitchesOpenAfterwards&) = delete;
+
+ private:
+  sim::GpioBridge& bridge_;
+};
+
 // Lines that change nothing on the screen: they are seen on the board alone.
 Result<void> AllSwitches(Scene& scene) {
   for (const int line : {kService, kPresence})
@@ -111,6 +126,7 @@ Result<void> Blackout(Scene& scene) {
 
 Result<void> Lines(Scene& scene) {
   if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
+  const SwitchesOpenAfterwards opened(scene);
   if (auto ok = WantTally(scene, true); !ok) return ok;
   for (const auto& part : {AllSwitches, Go, Blackout})
     if (auto ok = part(scene); !ok) return ok;
@@ -122,6 +138,7 @@ Result<void> Lines(Scene& scene) {
 // A cable of its own is pulled and plugged: the lines are requested again, and the lamp.
 Result<void> LinesPulled(Scene& scene) {
   if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
+  const SwitchesOpenAfterwards opened(scene);
   {
     const UnpluggedDevice bridge(scene, "gpio");
     const auto gone = [](const BoardView& board) { return !board.lines_live; };

@@ -24,6 +24,21 @@ json::Value CheckJson(const board::Stamped<board::LineCheck>& check, Time now) {
       {"running", running}, {"summary", board::SummaryOf(check.value)}, {"items", std::move(items)}};
 }
 
+// Null while nobody teaches. The control has words once it is found; the restless one has none where all rest.
+json::Value LearnJson(const board::Stamped<board::Learn>& learn, Time now) {
+  const board::Learn& value = learn.value;
+  const bool is_over = value.phase == board::LearnPhase::kNever || value.phase == board::LearnPhase::kEnded;
+  if (learn.source != board::SourceState::kLive || is_over || now - learn.at >= kSilence) return {};
+  const bool is_found = value.phase != board::LearnPhase::kAsking;
+  return json::Object{{"phase", static_cast<std::uint32_t>(value.phase)},
+                      {"choice", value.choice},
+                      {"control", is_found ? board::NameOf(value.found) : std::string()},
+                      {"inverted", value.inverted != 0},
+                      {"instead", value.instead != 0},
+                      {"restless", value.restless != 0 ? board::NameOf(value.moves_itself) : std::string()},
+                      {"ambiguous", value.ambiguous != 0}};
+}
+
 }  // namespace
 
 // Nothing: no stage writes the board. It is looked for once in a period, since each look opens a file.
@@ -32,7 +47,8 @@ std::optional<StageMonitor::Now> StageMonitor::Look() {
   if (board_) {
     const auto status = board_->Read<board::StageStatus>();
     if (status.source == board::SourceState::kLive && now - status.at < kSilence)
-      return Now{status.value, board_->Read<board::ShowNow>().value, board_->Read<board::LineCheck>()};
+      return Now{status.value, board_->Read<board::ShowNow>().value, board_->Read<board::LineCheck>(),
+                 board_->Read<board::Learn>()};
   }
   // Looked for anew, since a stage that was started again may have made another file.
   if (now < look_at_) return std::nullopt;
@@ -69,6 +85,7 @@ json::Value StageMonitor::Read() {
                       {"locked", show.locked != 0},
                       {"locked_out", show.locked_out},
                       {"check", CheckJson(now->check, clock_.now())},
+                      {"learn", LearnJson(now->learn, clock_.now())},
                       {"role_devices", json::ListOf(show.role_devices)}};
 }
 

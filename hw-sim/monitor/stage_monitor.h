@@ -11,7 +11,7 @@
 
 namespace kaori::sim {
 
-// Maps the board for reading and copies three sections out of it. One thread. Reads only:
+// Maps the board for reading and copies four sections out of it. One thread. Reads only:
 // the board is neither made nor changed.
 class StageMonitor {
  public:
@@ -22,7 +22,9 @@ class StageMonitor {
   //   {"scene","style","cue","standby","pending":numbers, "left_s":seconds,
   //    "paused","panicking","black","waiting":bools, "refused":count, "sheet":number,
   //    "levels":[[value,owner,role]..],
-  //    "locked":bool, "locked_out":count, "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]}, "role_devices":[number..]}
+  //    "locked":bool, "locked_out":count, "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]},
+  //    "learn":null or {"phase","choice":numbers,"control":words,"inverted","instead":bools,"restless":words,"ambiguous":bool},
+  //    "role_devices":[number..]}
   // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue.
   // Does not block; where there is no board, or a stage that has been silent for two seconds, the file is
   // looked for anew once a second.
@@ -33,6 +35,7 @@ class StageMonitor {
     board::StageStatus status;
     board::ShowNow show;
     board::Stamped<board::LineCheck> check;
+    board::Stamped<board::Learn> learn;
   };
   // The sections as a stage that draws wrote them last.
   std::optional<Now> Look();

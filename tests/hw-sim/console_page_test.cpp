@@ -31,7 +31,7 @@ TEST(ConsolePage, IsSmall) {
   for (const char* path :
        {"/",          "/style.css",  "/icon.svg",    "/main.js", "/wire.js",  "/drag.js",   "/face.js",
         "/dials.js",  "/buttons.js", "/sticks.js",   "/keys.js", "/lips.js",  "/cables.js", "/editor.js",
-        "/arrows.js", "/sound.js",   "/switches.js", "/cues.js", "/roles.js", "/check.js"}) {
+        "/arrows.js", "/sound.js",   "/switches.js", "/cues.js", "/roles.js", "/check.js",  "/learn.js"}) {
     ASSERT_NE(FindPageFile(path), nullptr) << path;
     bytes += FindPageFile(path)->bytes.size();
   }

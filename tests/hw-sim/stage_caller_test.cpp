@@ -72,6 +72,14 @@ TEST_F(StageCallerTest, BeginsALineCheckAndLocks) {
   EXPECT_EQ(Calls().newest[0].subject, static_cast<std::uint32_t>(board::LineCheckCall::kBegin));
 }
 
+TEST_F(StageCallerTest, Teaches) {
+  ASSERT_TRUE(caller_.Call("learn 1 8"));
+  EXPECT_EQ(Calls().newest[0].verb, board::CallVerb::kLearn);
+  EXPECT_EQ(Calls().newest[0].subject, static_cast<std::uint32_t>(board::LearnCall::kBegin));
+  EXPECT_EQ(Calls().newest[0].value, 8);
+  EXPECT_THAT(Refused("learn 1"), HasSubstr("expected such as learn 1 8"));
+}
+
 TEST_F(StageCallerTest, SaysSoWhereAnotherProgramHasTheCalls) {
   const board::Board board = board::Board::Create(file_).value();
   const auto other = board::Caller::Acquire(board, board::CallWriter::kControl);

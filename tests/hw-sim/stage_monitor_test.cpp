@@ -70,6 +70,22 @@ TEST_F(Monitored, TellsOfALineCheckInWordsAndOfNoneThatEndedWithItsStage) {
   EXPECT_NE(ReadInASecond().find(R"("check":null,)"), std::string::npos);
 }
 
+TEST_F(Monitored, TellsWhatIsLearntInWordsWhileSomebodyTeaches) {
+  EXPECT_NE(ReadInASecond().find(R"("learn":null,)"), std::string::npos);
+  board::Learn learn{.phase = board::LearnPhase::kFound, .choice = 8, .inverted = 1};
+  learn.found = {.kind = board::CheckedKind::kDial, .device = 2, .number = 2};
+  auto writer = board_.AcquireWriter<board::Learn>().value();
+  writer.Write(learn, clock_.now() + 1s, board::SourceState::kLive);
+  EXPECT_NE(
+      ReadInASecond().find(R"("learn":{"phase":2,"choice":8,"control":"dial box dial 3","inverted":true,)"
+                           R"("instead":false,"restless":"","ambiguous":false})"),
+      std::string::npos)
+      << Read();
+  learn.phase = board::LearnPhase::kEnded;
+  writer.Write(learn, clock_.now(), board::SourceState::kLive);
+  EXPECT_NE(ReadInASecond().find(R"("learn":null,)"), std::string::npos);
+}
+
 TEST_F(Monitored, IsNothingWhileNoStageDraws) {
   EXPECT_EQ(Read(), "null") << "nobody has written";
   ASSERT_NE(ReadInASecond(), "null");

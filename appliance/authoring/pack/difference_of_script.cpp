@@ -8,6 +8,7 @@
 #include "appliance/authoring/script/backdrop_file.h"
 #include "appliance/authoring/script/item_names.h"
 #include "appliance/core/roles/roles_file.h"
+#include "appliance/core/show/cue_names.h"
 
 namespace kaori::authoring {
 namespace {
@@ -37,7 +38,8 @@ std::string Calls(const show::Show& show, const show::Call& call) {
     case show::CallKind::kScene:
       return "scene " + NameOf(show.scenes, call.index);
     case show::CallKind::kCue:
-      return fmt::format("cue {}", call.index < kCueVerbNames.size() ? kCueVerbNames[call.index] : "nothing");
+      return fmt::format(
+          "cue {}", call.index < show::kCueVerbNames.size() ? show::kCueVerbNames[call.index] : "nothing");
     case show::CallKind::kSheet:
       return fmt::format("sheet {}", call.index + 1);
     case show::CallKind::kMotion:

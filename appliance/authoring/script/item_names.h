@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "appliance/core/show/cue.h"
 #include "render/scene/scene.h"
 
 namespace kaori::authoring {
@@ -11,9 +10,5 @@ namespace kaori::authoring {
 // In the order of scene::Style.
 inline constexpr std::array<const char*, scene::kStyleCount> kStyleNames{"wire", "flat", "bare", "hair",
                                                                          "soft"};
-
-// In the order of show::CueVerb.
-inline constexpr std::array<const char*, show::kCueVerbCount> kCueVerbNames{"go",    "back",  "stop",
-                                                                            "pause", "panic", "blackout"};
 
 }  // namespace kaori::authoring

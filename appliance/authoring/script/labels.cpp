@@ -170,6 +170,23 @@ json::List CuesJson(const show::CueList& list) {
   return cues;
 }
 
+// As board::Learn counts them: levels that every show has, faces, expressions; calls of the cue list, of faces
+// and of expressions.
+json::List TeachableJson(const show::Show& show) {
+  json::List levels;
+  for (std::size_t i = 0; i < show::kNamedLevels; ++i)
+    levels.emplace_back(Readable(std::string(show::kLevels[i].name)));
+  const auto add_items = [&](const char* face_words, const char* expression_words) {
+    for (const face::Face& one : show.cast.faces) levels.emplace_back(face_words + Readable(one.name));
+    for (const face::Expression& one : show.cast.expressions)
+      levels.emplace_back(expression_words + Readable(one.name));
+  };
+  add_items("Face ", "Expression ");
+  for (const char* verb : kCueVerbs) levels.emplace_back(std::string("Call ") + verb);
+  add_items("Call face ", "Call expression ");
+  return levels;
+}
+
 }  // namespace
 
 // Only ASCII letters are made large: the name may be in any script.
@@ -217,7 +234,8 @@ std::string LabelsJson(const show::Show& show) {
                             {"cues", CuesJson(show.cue_list)},
                             {"levels", LevelsJson(show)},
                             {"roles", RolesJson(show.roles)},
-                            {"devices", json::ListOf(show::kDeviceNames)}};
+                            {"devices", json::ListOf(show::kDeviceNames)},
+                            {"teachable", TeachableJson(show)}};
   // A name that is not UTF-8 is shown with replacement characters.
   return json::Write(labels, 1) + '\n';
 }

@@ -8,6 +8,7 @@
 #include "appliance/authoring/script/key_names.h"
 #include "appliance/authoring/script/show_parts.h"
 #include "appliance/authoring/script/taken_keys.h"
+#include "appliance/core/show/cue_names.h"
 
 namespace kaori::authoring {
 // Where the cast's names are not known any name will do: what keeps them from being known is
@@ -37,10 +38,10 @@ float Between(toml::Section& section, std::string_view key, float otherwise, flo
 }
 
 std::uint16_t CueVerbNamed(toml::Section& section, std::string_view key, const std::string& name) {
-  const auto it = std::ranges::find(kCueVerbNames, name);
-  if (it != kCueVerbNames.end()) return static_cast<std::uint16_t>(it - kCueVerbNames.begin());
-  section.Fault(
-      key, fmt::format("the cue list knows no \"{}\"; it knows {}", name, fmt::join(kCueVerbNames, ", ")));
+  const auto it = std::ranges::find(show::kCueVerbNames, name);
+  if (it != show::kCueVerbNames.end()) return static_cast<std::uint16_t>(it - show::kCueVerbNames.begin());
+  section.Fault(key, fmt::format("the cue list knows no \"{}\"; it knows {}", name,
+                                 fmt::join(show::kCueVerbNames, ", ")));
   return 0;
 }
 

@@ -10,6 +10,7 @@
 
 #include "appliance/authoring/takes/curve_file.h"
 #include "appliance/authoring/takes/played.h"
+#include "appliance/core/toml/quoted.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::authoring {
@@ -92,19 +93,9 @@ Result<Take> ReadFrom(const toml::Value& value, const std::filesystem::path& fil
   return take;
 }
 
-// A text in quotes, as TOML reads it. Control characters have no place in a note.
-std::string Quoted(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return quoted + '"';
-}
-
 std::string TextOf(const TakeCurve& curve) {
   const bool channel = curve.target == show::MotionTarget::kChannel;
-  std::string text = (channel ? Quoted(curve.channel) : std::string(NameOf(curve))) + " = [";
+  std::string text = (channel ? toml::Quoted(curve.channel) : std::string(NameOf(curve))) + " = [";
   for (std::size_t i = 0; i < curve.keys.size(); ++i)
     text += fmt::format("{}[{}, {}]{}", i % kPairsInLine == 0 ? "\n  " : " ", curve.keys[i].at_s,
                         curve.keys[i].value, i + 1 < curve.keys.size() ? "," : "\n");
@@ -161,7 +152,7 @@ std::string TextOf(const Take& take) {
   std::string text(kHead);
   for (const auto& [key, value] :
        {std::pair{"notes", &take.notes}, {"key", &take.key}, {"sound", &take.sound}})
-    if (!value->empty()) text += fmt::format("{} = {}\n", key, Quoted(*value));
+    if (!value->empty()) text += fmt::format("{} = {}\n", key, toml::Quoted(*value));
   const auto add = [&text](const Wanted& wanted, float value, float otherwise) {
     if (value != otherwise) text += fmt::format("{} = {}\n", wanted.key, value);
   };

@@ -30,8 +30,9 @@ enum class CallVerb : std::uint32_t {
               // one more than the last device: nobody plays it.
   kLock,      // `subject` is 1: the show is locked (ShowNow::locked). No call unlocks it: 0 is refused.
   kLineCheck,  // `subject` is a LineCheckCall. The stage itself hears it, and the show does not.
+  kLearn,      // `subject` is a LearnCall (learn.h), `value` as it says. The stage itself hears it too.
 };
-inline constexpr std::uint32_t kCallVerbCount = 8;
+inline constexpr std::uint32_t kCallVerbCount = 9;
 enum class LineCheckCall : std::uint32_t { kEnd, kBegin, kLampsWereLit };
 inline constexpr std::uint32_t kCallGo = 0;  // The subject of GO: writers know no show.
 

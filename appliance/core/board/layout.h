@@ -35,9 +35,10 @@ enum class Section : std::uint32_t {
   kStageStatus,
   kShowNow,
   kLineCheck,
+  kLearn,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 19;
+inline constexpr std::size_t kSectionCount = 20;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
@@ -98,6 +99,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"stage_status", ValueWords<StageStatus>()},
                                                   {"show_now", ValueWords<ShowNow>()},
                                                   {"line_check", ValueWords<LineCheck>()},
+                                                  {"learn", ValueWords<Learn>()},
                                                   {"performance", ValueWords<Performance>()}}};
   std::size_t at = kHeadWords;
   for (SectionPlace& place : places) {
@@ -152,6 +154,7 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, StageStatus>) return Section::kStageStatus;
   if constexpr (std::is_same_v<T, ShowNow>) return Section::kShowNow;
   if constexpr (std::is_same_v<T, LineCheck>) return Section::kLineCheck;
+  if constexpr (std::is_same_v<T, Learn>) return Section::kLearn;
   if constexpr (std::is_same_v<T, Performance>) return Section::kPerformance;
 }
 

@@ -1,4 +1,5 @@
 #include "appliance/core/board/line_check.h"
+#include "appliance/core/board/learn.h"
 
 #include <algorithm>
 #include <vector>
@@ -140,6 +141,10 @@ std::string_view DeviceOf(const CheckedItem& item) {
       return "screens";
   }
   return "unknown";
+}
+
+std::string NameOf(const CheckedItem& control) {
+  return fmt::format("{} {}", DeviceOf(control), PartOf(control));
 }
 
 std::string PhraseOf(const CheckedItem& item) {

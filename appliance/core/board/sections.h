@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "appliance/core/board/calls.h"
+#include "appliance/core/board/learn.h"
 #include "appliance/core/board/line_check.h"
 #include "appliance/core/board/show_now.h"
 #include "drivers/base/clock.h"

@@ -34,7 +34,7 @@ void KeepAbsent(Snapshot& now, const Snapshot& before) {
 
 }  // namespace
 
-// `sound`, `motion_now` and `show_now` are not here: the stage's frames do not depend on them.
+// `sound`, `motion_now`, `show_now` and `learn` are not here: the stage's frames do not depend on them.
 Snapshot ReadAll(const Board& board) {
   return {.surface = board.Read<Surface>(),
           .sticks = {board.Read<Stick>(0), board.Read<Stick>(1)},

@@ -34,6 +34,13 @@ bool HasCodes(const PressLog& log, std::uint32_t end) {
   return std::ranges::all_of(log.newest, [end](const PressLog::Press& press) { return press.code < end; });
 }
 
+bool IsPossible(const CheckedItem& item) {
+  return static_cast<std::uint32_t>(item.kind) < kCheckedKindCount &&
+         static_cast<std::uint32_t>(item.state) < kCheckedStateCount &&
+         Within(item.low, -kMaxFigure, kMaxFigure) && Within(item.high, -kMaxFigure, kMaxFigure) &&
+         item.low_first <= 1;
+}
+
 }  // namespace
 
 bool Valid(const Surface& surface) {
@@ -131,12 +138,14 @@ bool Valid(const ShowNow& show) {
 // Readers use the kind and the state as indices, of items that are not used too.
 bool Valid(const LineCheck& check) {
   return check.phase <= LineCheckPhase::kEnded && check.count <= LineCheck::kMostItems &&
-         std::ranges::all_of(check.items, [](const CheckedItem& item) {
-           return static_cast<std::uint32_t>(item.kind) < kCheckedKindCount &&
-                  static_cast<std::uint32_t>(item.state) < kCheckedStateCount &&
-                  Within(item.low, -kMaxFigure, kMaxFigure) && Within(item.high, -kMaxFigure, kMaxFigure) &&
-                  item.low_first <= 1;
-         });
+         std::ranges::all_of(check.items, IsPossible);
+}
+
+// Choices are for who knows the show.
+bool Valid(const Learn& learn) {
+  return static_cast<std::uint32_t>(learn.phase) < kLearnPhaseCount && IsPossible(learn.found) &&
+         IsPossible(learn.moves_itself) && learn.inverted <= 1 && learn.instead <= 1 && learn.restless <= 1 &&
+         learn.ambiguous <= 1;
 }
 
 // Of the bytes themselves performance::IsValid judges, when a stage takes them up.

@@ -24,6 +24,7 @@ bool Valid(const Lamps& lamps);
 bool Valid(const StageStatus& status);
 bool Valid(const ShowNow& show);
 bool Valid(const LineCheck& check);
+bool Valid(const Learn& learn);
 bool Valid(const Performance& performance);
 bool Valid(SourceState source);
 // From the machine's start on, and so that readers may reckon with it.

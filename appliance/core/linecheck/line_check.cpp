@@ -7,7 +7,7 @@
 #include "appliance/core/board/keys.h"
 #include "appliance/core/board/lines.h"
 #include "appliance/core/board/mouth.h"
-#include "appliance/core/performance/stick_way.h"
+#include "appliance/core/linecheck/reading.h"
 
 namespace kaori::linecheck {
 namespace {
@@ -18,10 +18,7 @@ using board::CheckedState;
 using board::SourceState;
 using namespace std::chrono_literals;
 
-// Where a stick is at its end: calibrations and worn springs leave a little of the way.
-constexpr float kEnd = 0.9F;
 constexpr float kOffMiddle = 0.3F;  // What springs back and rests further out than this is stuck.
-constexpr float kQuarterTurn = 0.25F;
 // Of lips between shut and open. Paint is not measured to the last tenth.
 constexpr float kShut = 0.2F, kOpen = 0.8F;
 constexpr Duration kStuck = 10s;  // Nobody holds a control for so long without a movement.
@@ -33,8 +30,8 @@ constexpr Duration kLampTime = 200ms;
 SourceState SourceOf(const CheckedItem& item, const View& view) {
   switch (item.kind) {
     case CheckedKind::kAxis:
-      return view.board.sticks[item.device].source;
     case CheckedKind::kDial:
+      return SourceOfWay(item, view.board);
     case CheckedKind::kButton:
     case CheckedKind::kLamps:
       return view.board.surface.source;
@@ -52,26 +49,6 @@ SourceState SourceOf(const CheckedItem& item, const View& view) {
       return (view.screens >> item.number & 1U) != 0 ? SourceState::kLive : SourceState::kAbsent;
   }
   return SourceState::kAbsent;
-}
-
-show::Control ControlOf(const CheckedItem& item) {
-  return static_cast<show::Control>(item.number);
-}
-
-// Counts wrap; their difference does not, over the turns that a person makes.
-float WayNow(const CheckedItem& item, const View& view, const std::array<std::int32_t, 8>& began) {
-  if (item.kind == CheckedKind::kAxis)
-    return performance::WayOn(view.board.sticks[item.device].value, ControlOf(item));
-  const board::Surface& surface = view.board.surface.value;
-  const auto turned = static_cast<std::int32_t>(static_cast<std::uint32_t>(surface.counts[item.number]) -
-                                                static_cast<std::uint32_t>(began[item.number]));
-  return static_cast<float>(turned) / static_cast<float>(surface.counts_per_turn);
-}
-
-Way::Ends EndsOf(const CheckedItem& item, const View& view) {
-  if (item.kind == CheckedKind::kDial)
-    return {-kQuarterTurn, kQuarterTurn, 0.5F / static_cast<float>(view.board.surface.value.counts_per_turn)};
-  return show::StaysPut(ControlOf(item)) ? Way::Ends{1 - kEnd, kEnd} : Way::Ends{-kEnd, kEnd};
 }
 
 struct ContactNow {
@@ -122,7 +99,7 @@ void LineCheck::BeginItem(const CheckedItem& item, Memory& memory, const View& v
   memory.quiet_at = now;
   memory.xruns = view.sound.value.xruns;
   if (item.kind == CheckedKind::kAxis || item.kind == CheckedKind::kDial)
-    memory.way.Begin(WayNow(item, view, counts_), now);
+    memory.way.Begin(WayNow(item, view.board, counts_), now);
   if (item.kind == CheckedKind::kCamera) {
     memory.way.Begin(board::PositionOf(view.board.lips.value).open, now);
     memory.pulse.Begin(view.board.lips.value.frames, now);
@@ -170,8 +147,8 @@ CheckedState LineCheck::StateOf(CheckedItem& item, Memory& memory, const View& v
 
 CheckedState LineCheck::StateOfWay(CheckedItem& item, Memory& memory, const View& view, Time now) const {
   Way& way = memory.way;
-  const float at = WayNow(item, view, counts_);
-  way.Follow(at, EndsOf(item, view), now);
+  const float at = WayNow(item, view.board, counts_);
+  way.Follow(at, EndsOf(item, view.board), now);
   item.low = way.low();
   item.high = way.high();
   const bool slides = item.kind == CheckedKind::kAxis && show::StaysPut(ControlOf(item));

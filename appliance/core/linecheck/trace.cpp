@@ -49,6 +49,7 @@ void Contact::Follow(std::uint32_t pushes, bool down, Time now) {
     recent_since_ = now;
   }
   recent_ += fresh;
+  total_ += fresh;
   noisy_ = noisy_ || recent_ >= kChatter;
   used_ = used_ || fresh != 0 || down != down_;
   if (fresh != 0 || down != down_) changed_at_ = now;

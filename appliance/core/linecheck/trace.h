@@ -59,6 +59,8 @@ class Contact {
   void Begin(std::uint32_t pushes, bool down, Time now);
   void Follow(std::uint32_t pushes, bool down, Time now);
 
+  // How often it was pushed since the beginning.
+  std::uint32_t pushes() const { return total_; }
   // It was pushed, or switched over.
   bool used() const { return used_; }
   // Eight pushes within a second: faster than a finger. Stays true.
@@ -70,7 +72,7 @@ class Contact {
   static constexpr std::uint32_t kChatter = 8;
   static constexpr Duration kChatterTime = std::chrono::seconds(1);
 
-  std::uint32_t pushes_ = 0, recent_ = 0;
+  std::uint32_t pushes_ = 0, recent_ = 0, total_ = 0;
   bool down_ = false, used_ = false, noisy_ = false;
   Time changed_at_{}, recent_since_{};
 };

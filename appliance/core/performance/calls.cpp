@@ -154,7 +154,8 @@ bool Handle(State& state, const board::Call& call, const show::Show& show) {
       if (call.subject == 0 && state.locked != 0) NoteLockedOut(state, nullptr);
       return call.subject <= 1;
     case board::CallVerb::kLineCheck:
-      return false;  // The stage's own (programs/stage/line_checker.h), which takes it out of the events.
+    case board::CallVerb::kLearn:
+      return false;  // The stage's own (programs/stage/service_modes.h), which takes them out of the events.
   }
   return false;
 }

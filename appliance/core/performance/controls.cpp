@@ -38,7 +38,7 @@ bool Controls::IsLive(std::uint8_t role) const {
 
 bool Controls::IsOn(std::uint8_t role, show::Control control) const {
   const std::uint8_t device = state_.role_devices[role];
-  return device != kNoDevice && show::Has(static_cast<show::Device>(device), control);
+  return device < kNoDevice && show::Has(static_cast<show::Device>(device), control);
 }
 
 // Dials are not in it: what they have turned is in the level itself.

@@ -45,6 +45,7 @@ struct MapNow {
 };
 
 inline constexpr std::uint8_t kNoDevice = show::kDeviceCount;  // A role that nobody plays.
+inline constexpr std::uint8_t kNoRole = kNoDevice + 1;         // There is no such role.
 
 // All levels at their rests.
 constexpr std::array<LevelNow, show::kLevelCount> RestingLevels() {

@@ -254,7 +254,7 @@ void RestLevels(State& state) {
 
 void BeginLevels(State& state, const show::Roles& roles) {
   RestLevels(state);
-  state.role_devices.fill(kNoDevice);
+  state.role_devices.fill(kNoRole);
   for (std::size_t i = 0; i < roles.roles.size(); ++i)
     state.role_devices[i] = static_cast<std::uint8_t>(roles.roles[i].device);
 }

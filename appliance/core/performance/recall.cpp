@@ -33,4 +33,14 @@ State Recalled(const State& kept, const board::Snapshot& board, Time presented_a
   return state;
 }
 
+void AdoptRoles(State& state, const show::Roles& roles) {
+  for (std::size_t i = 0; i < state.role_devices.size(); ++i) {
+    std::uint8_t& device = state.role_devices[i];
+    if (i >= roles.roles.size())
+      device = kNoRole;
+    else if (device == kNoRole)
+      device = static_cast<std::uint8_t>(roles.roles[i].device);
+  }
+}
+
 }  // namespace kaori::performance

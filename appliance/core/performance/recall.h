@@ -11,4 +11,8 @@ namespace kaori::performance {
 // as the switch stands now.
 State Recalled(const State& kept, const board::Snapshot& board, Time presented_at);
 
+// For a state that was found: roles that the show has gained since, by a file of the box's own, are played from
+// their own devices, and the others from where they were.
+void AdoptRoles(State& state, const show::Roles& roles);
+
 }  // namespace kaori::performance

@@ -100,7 +100,7 @@ bool IsValidLevels(const State& s, const show::Show& show) {
   for (std::size_t i = 0; i < s.levels.size(); ++i)
     if (!IsValidLevel(s.levels[i], show::kLevels[i], show.roles.roles.size())) return false;
   return std::ranges::all_of(s.maps, IsValidMap) &&
-         std::ranges::all_of(s.role_devices, [](std::uint8_t device) { return device <= kNoDevice; });
+         std::ranges::all_of(s.role_devices, [](std::uint8_t device) { return device <= kNoRole; });
 }
 
 // The bounds are many turns wide, since motions add to the sticks. They are to stop what would overflow the

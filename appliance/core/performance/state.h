@@ -100,7 +100,7 @@ struct State {
   // Who has each level; the value of the first eight is that of `knobs` too, which others may put elsewhere.
   std::array<LevelNow, show::kLevelCount> levels = RestingLevels();
   std::array<MapNow, show::kMostRoleMaps> maps{};  // In the order of the show's roles and of their maps.
-  std::array<std::uint8_t, show::kMostRoles> role_devices{};  // A show::Device, or kNoDevice.
+  std::array<std::uint8_t, show::kMostRoles> role_devices{};  // A show::Device, kNoDevice or kNoRole.
   // Left, right, as on the board.
   std::array<StickNow, 2> sticks;
   std::array<float, 2> blink_s{10, 10};  // Since a blink began: the character's left, right.

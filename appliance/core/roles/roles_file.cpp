@@ -1,144 +1,40 @@
 #include "appliance/core/roles/roles_file.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "appliance/core/roles/map_reader.h"
 #include "appliance/core/roles/named.h"
+#include "appliance/core/toml/nearest.h"
 #include "appliance/core/toml/section.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori::roles {
 namespace {
 
-using show::Control;
-using show::InfoOf;
 using show::RoleMap;
 
 // A role as a file has it: a device that is not given is not the first one.
 struct WrittenRole {
   show::Role role;
   bool has_device = false;
+  std::vector<show::Level> freed{};  // Of an overlay: levels that the role below is to move no more.
 };
 
-// One [[role.map]].
-// What is wrong becomes a fault of the section and reads as a default, so that all faults of
-// a file are told at once.
-class MapReader {
- public:
-  MapReader(toml::Section& section, std::optional<show::Device> device, LevelReader& levels)
-      : section_(section), device_(device), levels_(levels) {}
+// Whether a map of an overlay says that nothing of the role moves its level.
+bool IsNone(const toml::Section& map) {
+  const toml::Value* const control = map.Find("control");
+  return control != nullptr && control->kind == toml::Value::Kind::kText && control->text == kNoControl;
+}
 
-  // The control is read first: whether it turns decides between per_turn and range.
-  RoleMap Read() {
-    section_.AllowOnly({"control", "level", "range", "per_turn", "dead", "curve", "takeover"});
-    ReadControl();
-    if (const auto level = levels_.Read(section_)) {
-      map_.level = *level;
-      show::Turns(map_.control) ? ReadTurn() : ReadRange();
-    }
-    map_.dead = section_.FloatOr("dead", 0, 0, show::kMostDead);
-    ReadCurve();
-    if (section_.Has("takeover")) ReadTakeover();
-    return std::move(map_);
-  }
-
- private:
-  // Where an overlay names no device the control's name alone is judged; LayOver has the
-  // whole role checked later.
-  void ReadControl() {
-    const std::string name = section_.Text("control");
-    if (name.empty()) return;
-    const auto control = show::ControlNamed(name);
-    if (!control)
-      return section_.Fault(
-          "control", fmt::format("there is no control \"{}\"; controls are x, y, twist, hat x, hat y, slider "
-                                 "of a stick, and dial 1 to dial 8",
-                                 name));
-    map_.control = control->control;
-    map_.dial = control->dial;
-    if (device_ && !show::Has(*device_, map_.control))
-      section_.Fault("control", fmt::format("the {} has no {}",
-                                            show::kDeviceNames[static_cast<std::size_t>(*device_)], name));
-  }
-
-  // Within the level's ends, in its own unit; both ends may be swapped.
-  void ReadRange() {
-    const show::LevelInfo& level = InfoOf(map_.level);
-    map_.from = level.low;
-    map_.to = level.high;
-    if (section_.Has("per_turn")) section_.Fault("per_turn", "is for dials; a control with ends has a range");
-    if (!section_.Has("range")) return;
-    const std::vector<double> range = section_.Numbers("range");
-    if (range.size() != 2 || range[0] == range[1])
-      return section_.Fault("range", "must be two different numbers [at the one end, at the other]");
-    map_.from = Inside("range", range[0]);
-    map_.to = Inside("range", range[1]);
-  }
-
-  // From the file's unit to the level's own. A ten-thousandth of the range is forgiven, as rounded
-  // degrees need, and then cut off.
-  float Inside(std::string_view key, double written) {
-    const show::LevelInfo& level = InfoOf(map_.level);
-    const double low = level.low / level.unit, high = level.high / level.unit, slack = (high - low) * 1e-4;
-    if (!(written >= low - slack && written <= high + slack))
-      section_.Fault(key, fmt::format("{} is not within {:.4g} to {:.4g}{}{} of {}", written, low, high,
-                                      level.words.empty() ? "" : " ", level.words, level.name));
-    return std::clamp(static_cast<float>(written * level.unit), level.low, level.high);
-  }
-
-  // One turn adds the whole range where nothing is said, and a hundred times that at most.
-  // Below 0 the dial is inverted.
-  void ReadTurn() {
-    const show::LevelInfo& level = InfoOf(map_.level);
-    if (section_.Has("range")) section_.Fault("range", "is for controls with ends; a dial has per_turn");
-    const float whole = (level.high - level.low) / level.unit;
-    const float turn = section_.FloatOr("per_turn", whole, -100 * whole, 100 * whole);
-    if (turn == 0) section_.Fault("per_turn", "is 0: the dial would do nothing");
-    map_.to = turn * level.unit;
-  }
-
-  // A number is an exponent, a list holds points. A point that is no pair ends the list,
-  // since it cannot be one curve.
-  void ReadCurve() {
-    const toml::Value* curve = section_.Find("curve");
-    if (curve == nullptr) return;
-    if (curve->kind == toml::Value::Kind::kNumber) {
-      map_.exponent = section_.FloatOr("curve", 1, show::kFlattestCurve, show::kSteepestCurve);
-      return;
-    }
-    if (curve->kind != toml::Value::Kind::kList)
-      return section_.Fault("curve", "must be an exponent, or points [[0, 0], [0.5, 0.3], [1, 1]]");
-    for (const toml::Value& point : curve->list) {
-      if (point.kind != toml::Value::Kind::kList || point.list.size() != 2 ||
-          point.list[0].kind != toml::Value::Kind::kNumber ||
-          point.list[1].kind != toml::Value::Kind::kNumber)
-        return section_.Fault("curve", "each of its points must be two numbers");
-      map_.points.emplace_back(point.list[0].number, point.list[1].number);
-    }
-    if (!show::IsCurve(map_.points))
-      section_.Fault("curve", fmt::format("must be 2 to {} points that rise from [0, 0] to [1, 1]",
-                                          show::kMostCurvePoints));
-  }
-
-  // A spring always comes from its middle and a dial only turns: neither has a place from which it would
-  // leap.
-  void ReadTakeover() {
-    const auto takeover = IndexOf(section_, "takeover", section_.Text("takeover"), show::kTakeoverNames);
-    if (takeover) map_.takeover = static_cast<show::Takeover>(*takeover);
-    if (!show::StaysPut(map_.control))
-      section_.Fault("takeover", "is for controls that stay where they are put: the slider of a stick");
-  }
-
-  toml::Section& section_;
-  std::optional<show::Device> device_;
-  LevelReader& levels_;
-  RoleMap map_;
-};
+void ReadFreed(toml::Section& map, LevelReader& levels, WrittenRole& written) {
+  map.AllowOnly({"control", "level"});
+  if (const auto level = levels.Read(map)) written.freed.push_back(*level);
+}
 
 // An overlay may leave the device out. Maps are put into the order of their levels, which keeps those of one
 // level together as CheckRoles wants them; those of one level keep their order.
@@ -152,8 +48,12 @@ WrittenRole ReadRole(toml::Section section, LevelReader& levels, bool overlay) {
     if (const auto found = IndexOf(section, "device", section.Text("device"), show::kDeviceNames))
       device = static_cast<show::Device>(*found);
   written.role.device = device.value_or(show::Device::kLeftStick);
-  for (toml::Section map : section.Parts("map"))
-    written.role.maps.push_back(MapReader(map, device, levels).Read());
+  for (toml::Section map : section.Parts("map")) {
+    if (overlay && IsNone(map))
+      ReadFreed(map, levels, written);
+    else
+      written.role.maps.push_back(MapReader(map, device, levels).Read());
+  }
   std::ranges::stable_sort(written.role.maps, {}, &RoleMap::level);
   return written;
 }
@@ -176,20 +76,37 @@ void CheckCounts(toml::Section& file, const std::vector<WrittenRole>& roles) {
     file.Fault("role", fmt::format("they have {} maps, and {} is the most", maps, show::kMostRoleMaps));
 }
 
+// An overlay's role that the roles below have not is one of its own where it names a device, and else a name
+// that was mistaken. With a device a name that is near to one below may be mistaken all the same: a warning.
+void CheckName(toml::Section& role, const WrittenRole& written, const show::Roles& below,
+               toml::Faults& warnings) {
+  const std::string& name = written.role.name;
+  if (name.empty() || std::ranges::find(below.roles, name, &show::Role::name) != below.roles.end()) return;
+  const std::string near = toml::DidYouMeanOneOf(name, below.roles);
+  if (!written.has_device)
+    return role.Fault(
+        "name", fmt::format("the show has no role \"{}\", and a further one needs a device{}", name, near));
+  if (!near.empty())
+    toml::Section(role.table(), fmt::format("role \"{}\"", name), warnings)
+        .Fault("name", fmt::format("the show has no role \"{}\": it is a further one{}", name, near));
+}
+
 // What one file says. An overlay without a hand-over time leaves that of the show.
 struct WrittenFile {
   std::vector<WrittenRole> roles;
   std::vector<show::Call> mixes{};
   std::optional<float> handover_s{};
+  Besides besides{};
 };
 
 // `below`: the roles over which an overlay lies; null for the file of a show.
 WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items, const show::Roles* below) {
   const bool overlay = below != nullptr;
-  file.AllowOnly({"handover_s", "role"});
+  overlay ? file.AllowOnly({"handover_s", "role", "button"}) : file.AllowOnly({"handover_s", "role"});
   WrittenFile written;
   if (overlay) written.mixes = below->mixes;
   LevelReader levels(items, written.mixes);
+  toml::Faults warnings(faults.file());
   if (file.Has("handover_s")) {
     const double handover_s = file.Number("handover_s");
     if (!(handover_s >= 0 && handover_s <= show::kLongestHandover_s))
@@ -201,6 +118,7 @@ WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items
   for (const toml::Section& role : file.Parts("role")) {
     toml::Section named = Named(role, ++number, faults);
     written.roles.push_back(ReadRole(named, levels, overlay));
+    if (overlay) CheckName(named, written.roles.back(), *below, warnings);
     const std::string& name = written.roles.back().role.name;
     const auto is_same = [&name](const WrittenRole& one) { return one.role.name == name; };
     if (!name.empty() && std::ranges::count_if(written.roles, is_same) > 1)
@@ -209,6 +127,9 @@ WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items
   if (number == 0 && !overlay)
     file.Fault("role", "there is none; without this file sticks and dials play what they usually do");
   CheckCounts(file, written.roles);
+  if (!overlay) return written;
+  for (toml::Section button : file.Parts("button")) ReadButton(button, items, written.besides.buttons);
+  written.besides.warnings = warnings.lines();
   return written;
 }
 
@@ -230,10 +151,11 @@ std::vector<std::string> ReadRolesFile(const std::filesystem::path& file, const 
 // Level by level: on a level that a role of the overlay moves, its maps take the place of that role's
 // maps below. The sum of both is checked before it becomes `roles`, since two files that are right
 // can be too much together.
-std::vector<std::string> LayOver(const std::filesystem::path& file, const Items& items, show::Roles& roles) {
-  const auto value = toml::ReadToml(file);
+std::vector<std::string> LayOverText(std::string_view text, const std::string& file, const Items& items,
+                                     show::Roles& roles, Besides& besides) {
+  const auto value = toml::Parse(text, file);
   if (!value) return {value.error().message()};
-  toml::Faults faults(file.string());
+  toml::Faults faults(file);
   WrittenFile written = ReadAll(toml::Section(*value, "", faults), faults, items, &roles);
   if (faults.any()) return faults.lines();
   show::Roles laid = roles;
@@ -247,16 +169,26 @@ std::vector<std::string> LayOver(const std::filesystem::path& file, const Items&
     }
     if (one.has_device) below->device = one.role.device;
     std::erase_if(below->maps, [&one](const RoleMap& map) {
-      return std::ranges::find(one.role.maps, map.level, &RoleMap::level) != one.role.maps.end();
+      return std::ranges::find(one.role.maps, map.level, &RoleMap::level) != one.role.maps.end() ||
+             std::ranges::find(one.freed, map.level) != one.freed.end();
     });
     std::ranges::move(one.role.maps, std::back_inserter(below->maps));
     std::ranges::stable_sort(below->maps, {}, &RoleMap::level);
   }
   std::vector<std::string> wrong;
   show::CheckRoles(laid, wrong);
-  for (std::string& line : wrong) line = fmt::format("{}: {}", file.string(), line);
-  if (wrong.empty()) roles = std::move(laid);
-  return wrong;
+  for (std::string& line : wrong) line = fmt::format("{}: {}", file, line);
+  if (!wrong.empty()) return wrong;
+  roles = std::move(laid);
+  besides = std::move(written.besides);
+  return {};
+}
+
+std::vector<std::string> LayOver(const std::filesystem::path& file, const Items& items, show::Roles& roles,
+                                 Besides& besides) {
+  const auto text = ReadFile(file);
+  if (!text) return {text.error().message()};
+  return LayOverText(*text, file.string(), items, roles, besides);
 }
 
 }  // namespace kaori::roles

@@ -92,9 +92,16 @@ Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
   return chosen;
 }
 
-void LayOverRoles(const std::filesystem::path& file, show::Show& show) {
-  if (!IsThere(file)) return;
-  const auto faults = roles::LayOver(file, roles::ItemsOf(show.cast), show.roles);
+OwnRoles OwnRolesOver(const show::Show& show, std::filesystem::path file) {
+  return {.file = std::move(file), .items = roles::ItemsOf(show.cast), .below = show.roles};
+}
+
+void LayOverRoles(const OwnRoles& own, show::Show& show) {
+  if (!IsThere(own.file)) return;
+  roles::Besides besides;
+  const auto faults = roles::LayOver(own.file, own.items, show.roles, besides);
+  roles::Assign(besides.buttons, show);
+  for (const std::string& line : besides.warnings) LogWarning("{}", line);
   for (const std::string& fault : faults) LogWarning("{}", fault);
   if (!faults.empty()) LogWarning("the show is played with its own roles");
 }

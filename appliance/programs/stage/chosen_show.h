@@ -10,6 +10,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/core/show/show.h"
 #include "appliance/core/store/play_log.h"
+#include "appliance/programs/stage/taught_writer.h"
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 
@@ -41,9 +42,12 @@ struct ChosenShow {
 // root's show.
 Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now);
 
+// The box's own roles, for a show that has only its own yet.
+OwnRoles OwnRolesOver(const show::Show& show, std::filesystem::path file);
+
 // Lays the box's own roles.toml over the show's, where there is one. One that is wrong is named in the log
 // and not used: the show's own roles play. Blocks for the disk.
-void LayOverRoles(const std::filesystem::path& file, show::Show& show);
+void LayOverRoles(const OwnRoles& own, show::Show& show);
 
 // The stage ends of its own will: the show is not to blame. Blocks for a file in memory.
 void NoteOrderlyEnd(const ShowPlaces& places);

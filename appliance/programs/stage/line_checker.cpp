@@ -6,6 +6,7 @@
 #include "appliance/core/board/keys.h"
 #include "appliance/core/board/lines.h"
 #include "appliance/core/linecheck/items.h"
+#include "appliance/programs/stage/withheld.h"
 #include "drivers/base/log.h"
 
 namespace kaori::stage {
@@ -17,20 +18,6 @@ using board::SourceState;
 
 constexpr Duration kAbandoned = std::chrono::minutes(2);
 constexpr Duration kScreensPeriod = std::chrono::seconds(1);
-
-// What keeps an evening safe is heard even now.
-bool IsHeardAlways(const board::Call& call) {
-  return call.verb == board::CallVerb::kCue &&
-         (call.subject == static_cast<std::uint32_t>(show::CueVerb::kPanic) ||
-          call.subject == static_cast<std::uint32_t>(show::CueVerb::kBlackout));
-}
-
-void ConsumeAll(performance::InputEvents& events) {
-  events.Consume([](const performance::Press&) { return true; });
-  events.ConsumeCalls([](const board::Call& call) { return !IsHeardAlways(call); });
-  events.turned = {};
-  events.pointer = {};
-}
 
 }  // namespace
 
@@ -115,9 +102,7 @@ std::uint32_t LineChecker::ScreensOf(const Frame& frame) {
 void LineChecker::Withhold() {
   for (auto& stick : left_.sticks) stick.source = SourceState::kAbsent;
   left_.lips.source = left_.voice.source = SourceState::kAbsent;
-  left_.keys.value.down = {};
-  left_.surface.value.buttons_down = 0;
-  left_.pointer.value.buttons_down = 0;
+  Release(left_);
 }
 
 }  // namespace kaori::stage

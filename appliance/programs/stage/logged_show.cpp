@@ -54,7 +54,9 @@ Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlo
     const auto file = folder / "roles.toml";
     if (auto written = WriteWholeFile(file, {AsBytes(head.roles)}); !written)
       return tl::unexpected(written.error());
-    const auto faults = roles::LayOver(file, roles::ItemsOf(show->cast), show->roles);
+    roles::Besides besides;
+    const auto faults = roles::LayOver(file, roles::ItemsOf(show->cast), show->roles, besides);
+    roles::Assign(besides.buttons, *show);
     for (const std::string& fault : faults) LogWarning("{}", fault);
   }
   editor::ExpressionEditor::Open(own.empty() ? folder / "own" : own, *show);

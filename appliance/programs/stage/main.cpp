@@ -1,8 +1,8 @@
 // kaori-stage: draws the face that the board describes.
 //
-// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and four
-// that write the last face, the journal of the needles, the list of screens and the show log; the frame path
-// waits for none of them.
+// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and five
+// that write the last face, the journal of the needles, the list of screens, the show log, and what is taught;
+// the frame path waits for none of them.
 //
 // The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for,
 // and watches the loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at
@@ -81,6 +81,7 @@ kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop)
 // prepared.
 struct Loaded {
   std::unique_ptr<kaori::editor::ExpressionEditor> editor;
+  kaori::stage::OwnRoles own_roles;
   std::unique_ptr<kaori::stage::PreparedShow> show;
   kaori::showlog::LogHead log_head;  // Made where a log is wanted: it takes a checksum of the whole program.
   std::filesystem::path pack;
@@ -123,15 +124,17 @@ kaori::Result<Loaded> LoadShow(const Settings& settings, const kaori::stage::Sho
   auto& show = chosen->show;
   kaori::Log("{} is read", show.name);
   const std::filesystem::path own = OwnFolder(settings);
-  kaori::stage::LayOverRoles(own / "roles.toml", show);
+  auto own_roles = kaori::stage::OwnRolesOver(show, own / "roles.toml");
+  kaori::stage::LayOverRoles(own_roles, show);
   auto editor = kaori::editor::ExpressionEditor::Open(own, show);
   kaori::showlog::LogHead head;
   if (!settings.log.empty())
     head = kaori::stage::HeadOfLog(kaori::stage::ShowMark(chosen->pack).value_or(0), own / "roles.toml",
                                    kaori::SteadyClock().now());
-  return Loaded{std::move(editor),  std::make_unique<kaori::stage::PreparedShow>(std::move(show)),
-                std::move(head),    chosen->pack,
-                chosen->generation, chosen->another};
+  return Loaded{
+      std::move(editor), std::move(own_roles), std::make_unique<kaori::stage::PreparedShow>(std::move(show)),
+      std::move(head),   chosen->pack,         chosen->generation,
+      chosen->another};
 }
 
 int Rehearse(const std::string& pack) {
@@ -197,9 +200,9 @@ kaori::Result<void> PlayOn(kaori::stage::Stage& stage, kaori::board::Board& boar
   const auto tell = [&] {
     status.Step(stage.screen());
     stage.SetNotice(status.notice());
-    if (!watch.IsOver(clock.now())) return;
-    kaori::Log("another show is chosen: the stage ends, to be started with it");
-    loop.Stop();
+    const bool over = watch.IsOver(clock.now());
+    if (over) kaori::Log("another show is chosen: the stage ends, to be started with it");
+    if (over || stage.taught() != nullptr) loop.Stop();
   };
   if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok) return ok;
   if (auto ok = kaori::board::Watch(board, loop); !ok) return ok;
@@ -230,6 +233,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto last_face = LastFaceOf(settings, loaded.pack, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.SetEditor(std::move(loaded.editor));
+  stage.LetTeach(std::move(loaded.own_roles));
   if (evening->play) stage.PlayOver(std::move(evening->play));
   const auto log = LogOf(settings, loaded.log_head);
   if (log) stage.SetLog(&log->recorder());
@@ -256,6 +260,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
                                    std::filesystem::path(settings.board).parent_path() / "screens"};
   const auto played =
       PlayOn(stage, *board, {*board, clock, said}, {*places, loaded.generation, clock.now()}, clock, loop);
+  if (const auto* roles = stage.taught()) stage.HandOver(*roles);
   if (last_face) last_face->KeepNow();
   if (log) log->Finish();
   if (played) kaori::stage::NoteOrderlyEnd(*places);

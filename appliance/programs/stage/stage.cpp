@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "appliance/core/board/performance_state.h"
+#include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/motions.h"
+#include "appliance/core/performance/recall.h"
 #include "appliance/programs/stage/service_display.h"
 #include "appliance/programs/stage/show_now.h"
 #include "drivers/base/log.h"
@@ -48,30 +50,13 @@ bool Waits(const Error& error) {
 
 }  // namespace
 
-// All or none, as InputWriters.
-Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
-  auto performance = board.AcquireWriter<board::Performance>();
-  if (!performance) return tl::unexpected(performance.error());
-  auto lamps = board.AcquireWriter<board::Lamps>();
-  if (!lamps) return tl::unexpected(lamps.error());
-  auto status = board.AcquireWriter<board::StageStatus>();
-  if (!status) return tl::unexpected(status.error());
-  auto motion_now = board.AcquireWriter<board::MotionNow>();
-  if (!motion_now) return tl::unexpected(motion_now.error());
-  auto show_now = board.AcquireWriter<board::ShowNow>();
-  if (!show_now) return tl::unexpected(show_now.error());
-  auto line_check = board.AcquireWriter<board::LineCheck>();
-  if (!line_check) return tl::unexpected(line_check.error());
-  return StageWriters{std::move(*performance), std::move(*lamps),      std::move(*status),
-                      std::move(*show_now),    std::move(*motion_now), std::move(*line_check)};
-}
-
 // The count of frames and the last motion go on from the board, so that readers who compare them see no step
 // back.
 Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
     : board_(board), snapshots_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
-  const auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
+  auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
   resumed_ = kept && performance::IsValid(*kept, studio.show());
+  if (resumed_) performance::AdoptRoles(*kept, studio.show().roles);
   state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
   status_.frames = board.Read<board::StageStatus>().value.frames;
   motion_now_ = board.Read<board::MotionNow>().value;
@@ -101,6 +86,12 @@ void Stage::Step() {
 void Stage::StepUnseen() {
   const Time now = clock_.now();
   Perform(ReadBoard(now), now);
+}
+
+// The state counts the controls of the roles that were played until now.
+void Stage::HandOver(const show::Roles& next) {
+  performance::BeginLevels(state_, next);
+  writers_.performance.Write(board::Hold(state_), clock_.now(), board::SourceState::kLive);
 }
 
 // While the board settles on a new file its counters are adopted, not differenced.
@@ -223,20 +214,21 @@ const board::Snapshot& Stage::WithEvening(const board::Snapshot& live, Time pres
   return laid_;
 }
 
-// One frame of the show without drawing. Events are handed on in this order: calibration, line check,
-// editor, performance; each takes out what it uses. The state goes to the board with every frame: that is
+// One frame of the show without drawing. Events are handed on in this order: calibration, line check
+// or learn mode, editor, performance; each takes out what it uses. The state goes to the board with every frame: that is
 // what a stage which is killed resumes from.
 scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   const board::Snapshot& snapshot = evening_ ? WithEvening(live, presented_at) : live;
   performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);
   const bool guiding = IsGuiding(snapshot.lips_guide, presented_at);
   if (guiding) ConsumeGuideInput(events);
-  const board::Snapshot& left = line_checker_.Step(
-      {board_, live, snapshot, studio_.show(), state_, screen_.get(), presented_at}, events);
+  const board::Snapshot& left =
+      service_.Step({board_, live, snapshot, studio_.show(), state_, screen_.get(), presented_at}, events);
   auto performed = Animate(left, events, presented_at);
-  if (line_checker_.running()) performed.lamps = line_checker_.lamps(presented_at);
+  performed.lamps = service_.lamps(presented_at).value_or(performed.lamps);
   if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, presented_at);
   ShowService(snapshot, presented_at, performed.scene);
+  if (service_.learner().running()) Say(service_.learner().Lines(), performed.scene.caption);
   if (!notice_.empty()) Say(notice_, performed.scene.caption);
   call_log_.Tell(state_, performed.state, presented_at);
   state_ = performed.state;

@@ -20,8 +20,8 @@
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/call_log.h"
 #include "appliance/programs/stage/frame_pacer.h"
-#include "appliance/programs/stage/line_checker.h"
 #include "appliance/programs/stage/mouth_clock.h"
+#include "appliance/programs/stage/service_modes.h"
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
@@ -36,6 +36,7 @@ struct StageWriters {
   board::Writer<board::ShowNow> show_now;
   board::Writer<board::MotionNow> motion_now;
   board::Writer<board::LineCheck> line_check;
+  board::Writer<board::Learn> learn;
 
   // Errors: as Board::AcquireWriter; a second stage is refused.
   static Result<StageWriters> Acquire(const board::Board& board);
@@ -70,6 +71,15 @@ class Stage {
   // Called after each frame that the screen has accepted; until it returns the next one waits.
   using AfterFrame = std::function<void(const performance::State&, const scene::Scene&, Time now)>;
   void CallAfterFrames(AfterFrame after) { after_frame_ = std::move(after); }
+
+  // Lets people teach the box's own roles, which lie over those of the show. To be called before the first
+  // Step.
+  void LetTeach(OwnRoles own) { service_.learner().SetRoles(std::move(own)); }
+  // Somebody has taught, and is done: the roles that the next stage plays. Null before; the stage is then to
+  // end, and to be told of them.
+  const show::Roles* taught() const { return service_.learner().over(); }
+  // The next stage goes on from this one's state with other roles: no level is anybody's. No Step follows.
+  void HandOver(const show::Roles& next);
 
   // The screen that shows the frames from now on, owned by the stage; null when it was unplugged.
   void SetScreen(std::unique_ptr<ports::Scanout> screen);
@@ -142,7 +152,7 @@ class Stage {
   const Clock& clock_;
   std::unique_ptr<ports::Scanout> screen_;
   std::unique_ptr<editor::ExpressionEditor> editor_;
-  LineChecker line_checker_{writers_.line_check};
+  ServiceModes service_{writers_.line_check, writers_.learn};
   CallLog call_log_;
   showlog::Recorder* log_ = nullptr;
   std::unique_ptr<showlog::MinusOne> evening_;

@@ -205,6 +205,39 @@ void AddLastCheck(const State& state, std::vector<Line>& lines) {
        fmt::format("It ended {} ago: {}.", Length(state.now - check.at), board::SummaryOf(check.value))});
 }
 
+// What is to be done next by whoever teaches at the box; the picture of the show names the level.
+std::string TaughtWords(const board::Learn& learn) {
+  const std::string control = board::NameOf(learn.found);
+  switch (learn.phase) {
+    case board::LearnPhase::kFound:
+      return control + " was found: Enter keeps it.";
+    case board::LearnPhase::kUnfit:
+      return control + " springs back, and this level rests at an end: move a slider or a dial.";
+    case board::LearnPhase::kKeeping:
+      return control + " is being kept.";
+    case board::LearnPhase::kKept:
+      return control + " is kept. Up or Down picks what comes next; End starts the stage again with it.";
+    case board::LearnPhase::kRefused:
+      return control + " could not be kept; the log of the stage says why. Enter tries again.";
+    case board::LearnPhase::kNever:
+    case board::LearnPhase::kAsking:
+    case board::LearnPhase::kEnded:
+      break;
+  }
+  if (learn.restless != 0) return board::NameOf(learn.moves_itself) + " does not rest, and is passed over.";
+  return "Move the control or push the button that is to play what the picture names.";
+}
+
+// One that is silent ended with its stage.
+void AddLearn(const State& state, std::vector<Line>& lines) {
+  const auto& [learn, at, source] = state.learn;
+  const bool is_over = learn.phase == board::LearnPhase::kNever || learn.phase == board::LearnPhase::kEnded;
+  if (source != SourceState::kLive || is_over || state.now - at >= kLate) return;
+  const bool fails = learn.phase == board::LearnPhase::kRefused;
+  lines.push_back({fails ? Mark::kFault : Mark::kMissing, "learn mode",
+                   TaughtWords(learn) + " No control moves the face."});
+}
+
 // How often something was refused is told as long as the lock is on: somebody leans on a keyboard.
 void AddLock(const board::Stamped<board::ShowNow>& show, std::vector<Line>& lines) {
   if (show.source != SourceState::kLive || show.value.locked == 0) return;
@@ -216,10 +249,14 @@ void AddLock(const board::Stamped<board::ShowNow>& show, std::vector<Line>& line
 
 }  // namespace
 
-// Sound and show are read by themselves: a snapshot does not have them.
+// Sound, show and learn mode are read by themselves: a snapshot does not have them.
 State Look(const board::Board& board, Facts facts, Time now) {
-  return {board::ReadAll(board), board.Read<board::Sound>(), board.Read<board::ShowNow>(), std::move(facts),
-          now};
+  return {.board = board::ReadAll(board),
+          .sound = board.Read<board::Sound>(),
+          .show_now = board.Read<board::ShowNow>(),
+          .learn = board.Read<board::Learn>(),
+          .facts = std::move(facts),
+          .now = now};
 }
 
 // The order is fixed, so that a line stays in its row of the picture while only its words change.
@@ -237,6 +274,7 @@ std::vector<Line> Describe(const State& state) {
     lines.push_back({Mark::kFault, "screens", "No screen is plugged in; the show goes on unseen."});
   for (const ports::Output& screen : state.facts.screens) lines.push_back(Screen(screen));
   AddLock(state.show_now, lines);
+  AddLearn(state, lines);
   if (IsCheckRunning(state)) {
     AddCheck(state.board.line_check.value, lines);
   } else {

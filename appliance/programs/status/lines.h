@@ -34,6 +34,7 @@ struct State {
   board::Snapshot board;
   board::Stamped<board::Sound> sound;
   board::Stamped<board::ShowNow> show_now{};
+  board::Stamped<board::Learn> learn{};
   // What is known beside the board; `now` is the time at which ages are told.
   Facts facts;
   Time now{};

@@ -8,6 +8,7 @@ import {onDrag} from './drag.js';
 import {editorIsOpen, makeEditor, pointing} from './editor.js';
 import {steering} from './face.js';
 import {makeKeys} from './keys.js';
+import {makeLearn} from './learn.js';
 import {makeLips} from './lips.js';
 import {makeRoles} from './roles.js';
 import {makeSound} from './sound.js';
@@ -86,6 +87,7 @@ async function begin() {
   makeStandby($('lines'), labels);
   makeRoles($('roles'), labels);
   makeCheck($('check'));
+  makeLearn($('learn'), labels);
   makeEditor($('stage'), $('picture'));
   makePicture($('picture'));
   makeCables();

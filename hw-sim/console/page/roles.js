@@ -46,7 +46,7 @@ function makeLevel(level, number, roles) {
     const digits = Math.abs(level.high - level.low) / level.per_unit < 20 ? 1 : 0;
     const text = `${(at / level.per_unit).toFixed(digits)} ${level.unit}`;
     if (value.textContent !== text) value.textContent = text;
-    const name = who === kRole ? roles[role] ?? '' : kOwners.get(who) ?? '';
+    const name = who === kRole ? roles[role] ?? 'Taught' : kOwners.get(who) ?? '';
     if (owner.textContent !== name) owner.textContent = name;
     owner.setAttribute('aria-label', name ? `${level.text}: ${name} has it; let go` : `${level.text}: nobody has it`);
     row.dataset.owner = who === kRole ? `role-${role}` : `${who}`;

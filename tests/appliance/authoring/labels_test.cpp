@@ -101,6 +101,13 @@ TEST_F(AuthoredLabels, NameTheButtonsOfTheSecondSheetAndWhichOfThemFillADial) {
 TEST_F(AuthoredLabels, NameTheLevelsOfSingleFaces) {
   ASSERT_EQ(labels_.levels.size(), show::kNamedLevels + 1) << "as many as the show plays";
   EXPECT_EQ(labels_.levels.back().text, "Face face 2");
+  const std::size_t items = show_.cast.faces.size() + show_.cast.expressions.size();
+  ASSERT_EQ(labels_.teachable.size(), show::kNamedLevels + 2 * items + show::kCueVerbCount);
+  EXPECT_EQ(labels_.teachable[show::kNamedLevels + items], "Call GO");
+  EXPECT_EQ(labels_.teachable[show::kNamedLevels + items + show::kCueVerbCount],
+            "Call face " + Readable(show_.cast.faces[0].name));
+  EXPECT_EQ(labels_.teachable[static_cast<std::size_t>(show::Level::kHeadYaw)], "Head yaw");
+  EXPECT_EQ(labels_.teachable[show::kNamedLevels + 1], "Face " + Readable(show_.cast.faces[1].name));
   EXPECT_EQ(labels_.levels.back().unit, "%");
 }
 

@@ -40,6 +40,7 @@ class RolesFileTest : public ::testing::Test {
                                   ::testing::UnitTest::GetInstance()->current_test_info()->name();
   Items items_{.faces = {"kaori", "dog"}, .expressions = {"neutral", "angry", "laugh"}};
   show::Roles roles_;
+  Besides besides_;
 };
 
 TEST_F(RolesFileTest, SaysDeviceControlsLevelsRangesCurvesAndTakeOvers) {
@@ -171,7 +172,7 @@ device = "right stick"
 control = "twist"
 level = "lid_left"
 )"),
-                              items_, roles_);
+                              items_, roles_, besides_);
   ASSERT_THAT(faults, IsEmpty());
   const show::Role& head = roles_.roles[1];
   EXPECT_EQ(head.device, show::Device::kLeftStick) << "as the show has it";
@@ -187,10 +188,74 @@ TEST_F(RolesFileTest, OfTheBoxThatIsWrongChangesNothing) {
   const std::string before = TextOf(roles_, items_);
   const auto faults =
       LayOver(Write("[[role]]\nname = \"head\"\n[[role.map]]\ncontrol = \"dial 1\"\nlevel = \"head_yaw\"\n"),
-              items_, roles_);
+              items_, roles_, besides_);
   EXPECT_THAT(faults,
               ElementsAre(AllOf(HasSubstr("roles.toml"), HasSubstr("its device has no such control"))));
   EXPECT_EQ(TextOf(roles_, items_), before);
+}
+
+TEST_F(RolesFileTest, OfTheBoxNamesNoRoleWithoutADeviceThatTheShowHasNot) {
+  roles_ = show::UsualRoles();
+  const std::string before = TextOf(roles_, items_);
+  const char* const map = "[[role.map]]\ncontrol = \"slider\"\nlevel = \"head_yaw\"\n";
+  const auto faults =
+      LayOver(Write(std::string("\n[[role]]\nname = \"haed\"\n") + map), items_, roles_, besides_);
+  EXPECT_THAT(faults, ElementsAre(AllOf(HasSubstr("roles.toml:3: role \"haed\""),
+                                        HasSubstr("no role \"haed\""), HasSubstr("did you mean \"head\""))));
+  EXPECT_THAT(besides_.warnings, IsEmpty());
+  EXPECT_EQ(TextOf(roles_, items_), before);
+  EXPECT_THAT(LayOver(Write(std::string("[[role]]\nname = \"haed\"\ndevice = \"left stick\"\n") + map),
+                      items_, roles_, besides_),
+              IsEmpty())
+      << "with a device it is a role of its own";
+  EXPECT_EQ(roles_.roles.back().name, "haed");
+  EXPECT_THAT(besides_.warnings,
+              ElementsAre(AllOf(HasSubstr("roles.toml:2: role \"haed\""), HasSubstr("did you mean"))));
+}
+
+TEST_F(RolesFileTest, OfTheBoxTakesALevelFromARole) {
+  roles_ = show::UsualRoles();
+  const char* const text =
+      "[[role]]\nname = \"head\"\n[[role.map]]\ncontrol = \"none\"\nlevel = \"head_yaw\"\n";
+  ASSERT_THAT(LayOver(Write(text), items_, roles_, besides_), IsEmpty());
+  ASSERT_EQ(roles_.roles[1].maps.size(), 3U);
+  EXPECT_EQ(roles_.roles[1].maps[0].level, Level::kHeadPitch);
+  EXPECT_THAT(Read(std::string("[[role]]\nname = \"head\"\ndevice = \"left stick\"\n[[role.map]]\n") +
+                   "control = \"none\"\nlevel = \"head_yaw\"\n"),
+              ElementsAre(HasSubstr("there is no control \"none\"")))
+      << "a show takes nothing from itself";
+}
+
+TEST_F(RolesFileTest, OfTheBoxHasButtonsCallSomethingElse) {
+  roles_ = show::UsualRoles();
+  const char* const text =
+      "[[button]]\nnumber = 5\ncall = \"cue go\"\n[[button]]\nnumber = 32\ncall = \"expression angry\"\n";
+  ASSERT_THAT(LayOver(Write(text), items_, roles_, besides_), IsEmpty());
+  show::Show show;
+  Assign(besides_.buttons, show);
+  EXPECT_EQ(show.buttons[4], (show::Call{show::CallKind::kCue, 0}));
+  EXPECT_EQ(show.second_buttons[4], show.buttons[4]) << "on either sheet";
+  EXPECT_EQ(show.buttons[31], (show::Call{show::CallKind::kExpression, 1}));
+  const auto faults = LayOver(
+      Write("[[button]]\nnumber = 33\ncall = \"cue gone\"\n[[button]]\nnumber = 5\ncall = \"cue go\"\n"
+            "[[button]]\nnumber = 5\ncall = \"face dog\"\n"),
+      items_, roles_, besides_);
+  EXPECT_THAT(faults, ElementsAre(HasSubstr("roles.toml:2: button[1].number: is 33"),
+                                  AllOf(HasSubstr("roles.toml:3: "), HasSubstr("did you mean \"cue go\"")),
+                                  AllOf(HasSubstr("roles.toml:8: "), HasSubstr("button 5 is given twice"))));
+  EXPECT_EQ(besides_.buttons.size(), 2U) << "as they were";
+}
+
+TEST_F(RolesFileTest, ComesBackWithAnyName) {
+  roles_ = show::UsualRoles();
+  items_.expressions[1] = "\"angry\" \\ 怒り";
+  roles_.roles[1].name = "die \"Köpfe\" \\ 頭\n";
+  roles_.mixes = {{show::CallKind::kExpression, 1}};
+  roles_.roles[0].maps.push_back({.control = Control::kDial, .dial = 1, .level = Level::kMix1, .to = 1});
+  const std::string text = TextOf(roles_, items_);
+  ASSERT_THAT(Read(text), IsEmpty()) << text;
+  EXPECT_EQ(roles_.roles[1].name, "die \"Köpfe\" \\ 頭\n");
+  EXPECT_EQ(TextOf(roles_, items_), text);
 }
 
 TEST_F(RolesFileTest, PlaysFacesAndExpressionsOfTheShowByTheirNames) {

@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "appliance/core/board/caller.h"
+#include "appliance/core/board/lines.h"
 #include "appliance/core/board/press_log.h"
 #include "appliance/programs/stage/last_face.h"
 #include "appliance/programs/stage/show_log.h"
@@ -48,8 +50,8 @@ class StageEvening : public PackTest {
       stage.StepUnseen();
     }
   }
-  // Some frames, and then the faces 1, 2 and 3, a second each.
-  std::filesystem::path PlayEvening() {
+  // Some frames, and then the faces 1, 2 and 3, a second each; `call`, where there is a caller, with each.
+  std::filesystem::path PlayEvening(board::Caller* caller = nullptr, board::Call call = {}) {
     auto log =
         stage::ShowLog::Open(folder_ / "log", {.show = stage::ShowMark(pack_).value(), .booted_at = 1h});
     EXPECT_TRUE(log) << log.error().message();
@@ -58,6 +60,8 @@ class StageEvening : public PackTest {
     Play(*stage, 10);
     for (const std::size_t face : {1U, 2U, 3U}) {
       Push(face);
+      call.at = clock_.now();
+      if (caller != nullptr) caller->Make(call);
       Play(*stage, 60);
     }
     stage->SetLog(nullptr);
@@ -105,6 +109,29 @@ TEST_F(StageEvening, WithoutTheDialBoxsOperatorHasTheLiveOnes) {
   Push(2);
   Play(*stage, 2);
   EXPECT_EQ(stage->state().faces.to, 2);
+}
+
+TEST_F(StageEvening, IsNotTaughtSinceItsRolesAreThoseOfThen) {
+  auto caller = board::Caller::Acquire(board_, board::CallWriter::kControl).value();
+  const board::Call begin{.verb = board::CallVerb::kLearn,
+                          .subject = static_cast<std::uint32_t>(board::LearnCall::kBegin)};
+  const std::string log = PlayEvening(&caller, begin).string();
+  clock_.Advance(1h);
+  const auto stage = OpenStage();
+  stage->LetTeach({.file = roles_, .items = {}, .below = studio_->show().roles});
+  auto lines = board_.AcquireWriter<board::Lines>().value();
+  lines.Write({.active = 1U << unsigned(board::Line::kService)}, clock_.now(), board::SourceState::kLive);
+  auto evening =
+      stage::OpenEvening({.log = log, .without = "head", .at = ""}, pack_, roles_, studio_->show());
+  ASSERT_TRUE(evening) << evening.error().message();
+  stage->PlayOver(std::move(evening->play));
+  Play(*stage, 160);
+  EXPECT_EQ(stage->state().faces.to, 3) << "the call of then is past";
+  EXPECT_EQ(board_.Read<board::Learn>().value.phase, board::LearnPhase::kNever);
+  Play(*stage, 120);
+  caller.Make(begin);
+  Play(*stage, 2);
+  EXPECT_EQ(board_.Read<board::Learn>().value.phase, board::LearnPhase::kAsking) << "it is over";
 }
 
 TEST_F(StageEvening, ThatIsNoneOfThisShowIsRefusedInOneLine) {

@@ -1,4 +1,4 @@
-// What the status says of a line check.
+// What the status says of a line check and of learn mode.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,6 +47,24 @@ TEST_F(StatusOfALineCheck, ALineCheckThatRunsListsEveryControlInThePlaceOfTheDev
   EXPECT_THAT(Said("line check"),
               HasSubstr("- It ended 5 minutes ago: 1 of 5 work; camera not plugged in; "));
   EXPECT_THAT(Said("right stick"), HasSubstr("It is not plugged in;")) << "devices are told of again";
+}
+
+TEST_F(StatusOfALineCheck, LearnModeSaysWhatIsToBeDoneUntilItEndsOrItsStageDies) {
+  EXPECT_THAT(Said("learn mode"), IsEmpty());
+  board::Learn learn{.phase = board::LearnPhase::kAsking};
+  state_.learn = {learn, state_.now, SourceState::kLive};
+  EXPECT_THAT(Said("learn mode"), HasSubstr("- Move the control"));
+  learn.phase = board::LearnPhase::kFound;
+  learn.found = {.kind = board::CheckedKind::kDial, .device = 2, .number = 2};
+  state_.learn.value = learn;
+  EXPECT_EQ(Said("learn mode"), "- dial box dial 3 was found: Enter keeps it. No control moves the face.");
+  state_.learn.value.phase = board::LearnPhase::kRefused;
+  EXPECT_THAT(Said("learn mode"), HasSubstr("! dial box dial 3 could not be kept"));
+  state_.now += 10s;
+  EXPECT_THAT(Said("learn mode"), IsEmpty()) << "its stage died";
+  state_.learn = {learn, state_.now, SourceState::kLive};
+  state_.learn.value.phase = board::LearnPhase::kEnded;
+  EXPECT_THAT(Said("learn mode"), IsEmpty());
 }
 
 }  // namespace

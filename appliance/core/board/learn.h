@@ -1,0 +1,48 @@
+// Learn mode: a person says what is to be played or called and moves a control; the box finds out which control
+// that was, and keeps it when the person agrees.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "appliance/core/board/line_check.h"
+
+namespace kaori::board {
+
+enum class LearnPhase : std::uint32_t {
+  kNever,
+  kAsking,   // A control is to be moved.
+  kFound,    // One was: shall it be kept?
+  kUnfit,    // One was, and it springs back to its middle, where the level has no rest.
+  kKeeping,  // The file is being written.
+  kKept,     // It is written, and the stage starts again with it.
+  kRefused,  // It could not be written; the log says why.
+  kEnded,
+};
+inline constexpr std::uint32_t kLearnPhaseCount = 8;
+
+// What a call of CallVerb::kLearn asks for. The call's `value` of kBegin says which level it is for, as
+// Learn::choice does.
+enum class LearnCall : std::uint32_t { kEnd, kBegin, kKeep, kTurnRound };
+
+//   writer   kaori-stage at each frame while somebody teaches, and once when it has ended
+//   readers  kaori-status; who shows it to people: in the demo its page
+//   stale    never written so; a stage is taken for dead by the age of the stamp
+struct Learn {
+  static constexpr const char* kName = "learn";
+  LearnPhase phase = LearnPhase::kNever;
+  // What is taught, counted from 0: levels that every show has (show::Level), then the show's faces and its
+  // expressions as levels; then what buttons may call: show::CueVerb, faces, expressions.
+  std::uint32_t choice = 0;
+  CheckedItem found{};          // The control, from kFound on: an axis or a dial; of a call a button.
+  std::uint32_t inverted = 0;   // 1: its lower end is the level's upper one.
+  std::uint32_t instead = 0;    // 1: it plays something else until now.
+  std::uint32_t restless = 0;   // 1: this control does not rest, so that it cannot be the one that is meant.
+  CheckedItem moves_itself{};   //
+  std::uint32_t ambiguous = 0;  // 1: two controls moved alike.
+};
+
+// The name of an axis, a dial or a button with its device, for people: "left stick twist", "dial box dial 3".
+std::string NameOf(const CheckedItem& control);
+
+}  // namespace kaori::board

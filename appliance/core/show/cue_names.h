@@ -1,0 +1,15 @@
+// How files call what a person calls while a cue list is played.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "appliance/core/show/cue.h"
+
+namespace kaori::show {
+
+// In the order of CueVerb.
+inline constexpr std::array<std::string_view, kCueVerbCount> kCueVerbNames{"go",    "back",  "stop",
+                                                                           "pause", "panic", "blackout"};
+
+}  // namespace kaori::show
