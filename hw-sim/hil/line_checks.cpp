@@ -54,8 +54,8 @@ Result<void> WantTally(Scene& scene, bool lit) {
   return FailInput(fmt::format("the tally lamp is not {}", lit ? "lit" : "dark"));
 }
 
-// Opens all switches at its end, also where a check or its control ends before its time: with the service key left on
-// sticks are let in, in each check that follows.
+// Opens all switches at its end, also where a check or its control ends before its time: while the service key is on
+// sticks are authorised, in each check that follows.
 class SwitchesOpenAfterwards {
  public:
   explicit SwitchesOpenAfterwards(Scene& scene) : bridge_(scene.target.rig().gpio()) {}

@@ -76,7 +76,7 @@ std::vector<std::string> Menu::Lines(Message message, Language language, const s
   std::vector<std::string> lines{Say(message, language, name, detail)};
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const Choosable& choice = choices_[i];
-    const char* kind = choice.kind == Choosable::Kind::kShow ? "" : "key ";
+    const char* kind = choice.kind == Choosable::Kind::kKey ? "key " : "";
     lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + kind + choice.offer.name +
                     (choice.remark.empty() ? "" : "  " + choice.remark));
   }

@@ -1,0 +1,71 @@
+// A fixture: kaori-shows over a folder that stands for a mounted stick.
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "appliance/core/board/keys.h"
+#include "appliance/core/board/press_log.h"
+#include "appliance/core/store/play_log.h"
+#include "appliance/programs/shows/install_service.h"
+#include "drivers/base/read_file.h"
+#include "tests/appliance/core/board_file.h"
+#include "tests/appliance/core/pack_fixture.h"
+
+namespace kaori::shows {
+
+class ServiceTest : public tests::PackTest {
+ protected:
+  ServiceTest() {
+    for (const char* each : {"stick", "shows", "report", "root-keys"})
+      std::filesystem::create_directories(folder_ / each);
+    EXPECT_TRUE(SaveKey(company_, folder_ / "root-keys" / "company"));
+  }
+  void PutOnStick(const std::string& name, const show::SecretKey* signer) {
+    show::Show show = tests::SmallShow();
+    show.name = name;
+    EXPECT_TRUE(show::SavePack(show, folder_ / "stick" / (name + ".kaori"), signer));
+  }
+  void Strike(std::uint8_t usage) {
+    board::NotePress(pressed_, usage, now_);
+    keys_.Write(pressed_, now_, board::SourceState::kLive);
+  }
+  // As the stage does when it begins a show.
+  void NoteThatPlays(std::uint64_t generation, const std::string& show) {
+    store::PlayLog log;
+    log.generation = generation;
+    log.playing = show;
+    std::ofstream(folder_ / "plays") << store::Format(log);
+  }
+  void Present(std::uint32_t frames) { stage_.Write({.frames = frames}, now_, board::SourceState::kLive); }
+  std::string Play(Duration time) {
+    for (const Time end = now_ + time; now_ < end; now_ += InstallService::kPeriod) service_.Step(now_);
+    return ReadFile(folder_ / "report" / "lines").value_or("");
+  }
+
+  const show::SecretKey company_ = show::MakeKey().value(), theatre_ = show::MakeKey().value();
+  bool plugged_ = false, unreadable_ = false;
+  Result<void> trial_{};
+  board::Board board_ = board::Board::Create((folder_ / "board").string()).value();
+  board::Writer<board::Keys> keys_ = board_.AcquireWriter<board::Keys>().value();
+  board::Writer<board::StageStatus> stage_ = board_.AcquireWriter<board::StageStatus>().value();
+  board::Keys pressed_;
+  Time now_ = Time{} + std::chrono::seconds(1000);
+  std::unique_ptr<Folder> shows_ = OpenFolder(folder_ / "shows");
+  InstallService service_{
+      {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays"},
+      *shows_,
+      board_,
+      [this]() -> Result<std::optional<std::filesystem::path>> {
+        if (unreadable_) return FailInput("mount the stick /dev/sdb1");
+        if (!plugged_) return std::optional<std::filesystem::path>();
+        return std::optional(folder_ / "stick");
+      },
+      [this](const std::filesystem::path&) { return trial_; }};
+};
+
+}  // namespace kaori::shows
