@@ -22,7 +22,7 @@ class StageMonitor {
   //   {"scene","style","cue","standby","pending":numbers, "left_s":seconds,
   //    "paused","panicking","black","waiting":bools, "refused":count, "sheet":number,
   //    "levels":[[value,owner,role]..],
-  //    "locked":bool, "locked_out":count, "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]}, "role_devices":[number..]}
+  //    "locked":bool, "locked_out":count, "lobby":word or "", "lobby_hours":word or "", "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]}, "role_devices":[number..]}
   // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue.
   // Does not block; where there is no board, or a stage that has been silent for two seconds, the file is
   // looked for anew once a second.

@@ -49,16 +49,16 @@ std::vector<show::OpenSpan> ReadHours(toml::Section hours) {
   hours.AllowOnly(
       {kWeekdays[0], kWeekdays[1], kWeekdays[2], kWeekdays[3], kWeekdays[4], kWeekdays[5], kWeekdays[6]});
   std::vector<show::OpenSpan> open;
+  bool says = false;
   for (std::size_t day = 0; day < kWeekdays.size(); ++day) {
     const toml::Value* value = hours.Find(kWeekdays[day]);
     if (value == nullptr) continue;
-    if (value->kind == toml::Value::Kind::kText) {
-      ReadSpan(hours, day, value->text, open);
-      continue;
-    }
-    for (const std::string& text : hours.Texts(kWeekdays[day])) ReadSpan(hours, day, text, open);
+    const auto texts =
+        value->kind == toml::Value::Kind::kText ? std::vector{value->text} : hours.Texts(kWeekdays[day]);
+    for (const std::string& text : texts) ReadSpan(hours, day, text, open);
+    says = says || !texts.empty();
   }
-  if (open.empty()) hours.Fault("", "names no day: without [hours] the lobby is always open");
+  if (!says) hours.Fault("", "names no time: without [hours] the lobby is always open");
   if (open.size() > show::kMostOpenings)
     hours.Fault("", fmt::format("has {} openings, and {} is the most", open.size(), show::kMostOpenings));
   return open;

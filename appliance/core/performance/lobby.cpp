@@ -126,9 +126,11 @@ void Greet(State& state, const show::Show& show) {
         PlayNext(state, show, show.lobby->greetings, state.lobby.greeting));
 }
 
-// She is in her cue, as a run through the list would leave her, and every hand has let go.
+// She is in her cue, as a run through the list would leave her, and every hand has let go. Dials go to their
+// rest too: a light that was turned down stays so under an operator's eyes, and nobody looks here.
 void HandBack(State& state, const show::Show& show) {
   for (std::size_t i = 0; i < show::kLevelCount; ++i) LetGo(state, show.roles, static_cast<show::Level>(i));
+  for (std::size_t i = 0; i < state.knobs.size(); ++i) state.knobs[i] = show::kLevels[i].rest;
   GoToCue(state, show, static_cast<std::int32_t>(show.lobby->cue));
   Enter(state.lobby, LobbyPhase::kWaiting, show.lobby->sleep_s);
 }
@@ -177,9 +179,9 @@ void PlayPhase(State& state, const show::Show& show) {
   }
 }
 
-// Whether she is in the lobby in this frame. A lobby that begins by itself takes her wherever the list
-// stands; another one has her in its own cue alone.
-bool IsIn(State& state, const show::Show& show) {
+// Begins or ends the lobby where that is due, and gives whether it goes on. One that begins by itself takes
+// her wherever the list stands; another one has her in its own cue alone.
+bool GoesOn(State& state, const show::Show& show) {
   const bool in_cue = state.cue_run.active == LobbyCue(show) && state.cue_run.pending < 0;
   if (state.lobby.phase == LobbyPhase::kOff) {
     if (!in_cue && !show.lobby->by_itself) return false;
@@ -205,12 +207,12 @@ bool IsOpen(const LobbyNow& now, const Lobby& lobby) {
 // In the frame in which the lobby begins, the touch that called it does not take her over.
 void PlayLobby(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
                float dt_s) {
-  if (!show.lobby) return;
+  if (!show.lobby || show.cue_list.tracked.empty()) return;
   LobbyNow& now = state.lobby;
   if (events.week_minute) now.week_minute = *events.week_minute;
   Sense(now, board.lines, *show.lobby, dt_s);
   const bool touched = IsTouched(state, board, events, show);
-  if (IsIn(state, show)) {
+  if (GoesOn(state, show)) {
     const bool taken = now.phase == LobbyPhase::kTakenOver;
     now.left_s = std::max(0.0F, now.left_s - dt_s);
     if (touched || (taken && IsKept(state, board)) || state.black_wanted != 0)

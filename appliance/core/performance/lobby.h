@@ -11,7 +11,8 @@ namespace kaori::performance {
 
 // Moves the lobby on by dt_s, when all that people called in this frame has been played. Presence comes from
 // the board, and the time of day from `events`, so that an evening plays again as it was. A show without a
-// lobby changes nothing. While the time of day is not known the lobby is open. Pure; allocates nothing.
+// lobby, or whose list is not tracked, changes nothing. While the time of day is not known the lobby is open.
+// Pure; allocates nothing.
 void PlayLobby(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
                float dt_s);
 
