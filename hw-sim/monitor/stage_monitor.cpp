@@ -1,5 +1,6 @@
 #include "hw-sim/monitor/stage_monitor.h"
 
+#include <array>
 #include <cmath>
 
 namespace kaori::sim {
@@ -8,6 +9,12 @@ namespace {
 constexpr Duration kLookPeriod = std::chrono::seconds(1);
 // A stage writes its status once a frame, so two seconds are no pause of one that lives.
 constexpr Duration kSilence = std::chrono::seconds(2);
+
+// In the order of board::LobbyState and of board::LobbyHours; nothing where there is nothing to be told.
+constexpr std::array<const char*, board::kLobbyStateCount> kLobbyWords{
+    "", "asleep", "waiting", "greeting", "with a visitor", "saying good-bye", "taken over"};
+constexpr std::array<const char*, board::kLobbyHoursCount> kHoursWords{
+    "", "", "Outside the opening hours", "The time of day is not known: no opening hours"};
 
 // Each item in words, with its state, which is as board::CheckedState counts. Null where none was made on
 // this box yet. One that runs and is silent has ended with its stage, and is none either.
@@ -84,6 +91,8 @@ json::Value StageMonitor::Read() {
                       {"levels", std::move(levels)},
                       {"locked", show.locked != 0},
                       {"locked_out", show.locked_out},
+                      {"lobby", kLobbyWords[static_cast<std::size_t>(show.lobby)]},
+                      {"lobby_hours", kHoursWords[static_cast<std::size_t>(show.lobby_hours)]},
                       {"check", CheckJson(now->check, clock_.now())},
                       {"learn", LearnJson(now->learn, clock_.now())},
                       {"role_devices", json::ListOf(show.role_devices)}};

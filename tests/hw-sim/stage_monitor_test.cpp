@@ -55,6 +55,15 @@ TEST_F(Monitored, IsToldAsThePageReadsIt) {
             std::string::npos);
 }
 
+TEST_F(Monitored, SaysInWordsWhatTheLobbyDoesAndNothingWhereThereIsNone) {
+  EXPECT_NE(ReadInASecond().find(R"("lobby":"","lobby_hours":"")"), std::string::npos);
+  show_.lobby = board::LobbyState::kTakenOver;
+  show_.lobby_hours = board::LobbyHours::kClockUnknown;
+  EXPECT_NE(ReadInASecond().find(
+                R"("lobby":"taken over","lobby_hours":"The time of day is not known: no opening hours")"),
+            std::string::npos);
+}
+
 TEST_F(Monitored, TellsOfALineCheckInWordsAndOfNoneThatEndedWithItsStage) {
   EXPECT_NE(ReadInASecond().find(R"("check":null,)"), std::string::npos);
   board::LineCheck check{.phase = board::LineCheckPhase::kRunning, .count = 1};

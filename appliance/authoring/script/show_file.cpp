@@ -84,20 +84,24 @@ void ReadScript(Script& script, toml::Section file) {
   if (file.Has("channels")) ReadChannels(script, file.Part("channels"));
 }
 
-// Reads the list, and returns its file's faults.
-std::vector<std::string> CueFaults(const Script& of_show, const std::filesystem::path& file) {
+// Reads the file of a part with `read`, and returns its faults; a show may be without it.
+std::vector<std::string> FaultsBeside(const Script& of_show, const char* name,
+                                      void (*read)(Script&, toml::Section)) {
+  const std::filesystem::path file = of_show.folder / name;
+  if (!IsThere(file)) return {};
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};
   toml::Faults faults(file.string());
   Script script{.folder = of_show.folder, .known = of_show.known, .show = of_show.show, .faults = faults};
-  ReadCueList(script, toml::Section(*value, "", faults));
+  read(script, toml::Section(*value, "", faults));
   return faults.lines();
 }
 
 }  // namespace
 
 // A file that cannot be read is one fault: the error of reading it.
-// Roles are read before cues, which may release levels that only the roles name.
+// Roles are read before cues, which may release levels that only the roles name, and
+// the lobby last: it stands in one of the cues.
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show, KnownNames known) {
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};
@@ -111,8 +115,8 @@ std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::S
   items.all_known = known.faces && known.expressions;
   if (IsThere(of_roles))
     std::ranges::copy(roles::ReadRolesFile(of_roles, items, show.roles), std::back_inserter(lines));
-  const std::filesystem::path cues = script.folder / "cues.toml";
-  if (IsThere(cues)) std::ranges::copy(CueFaults(script, cues), std::back_inserter(lines));
+  std::ranges::copy(FaultsBeside(script, "cues.toml", ReadCueList), std::back_inserter(lines));
+  std::ranges::copy(FaultsBeside(script, "lobby.toml", ReadLobbyFile), std::back_inserter(lines));
   return lines;
 }
 

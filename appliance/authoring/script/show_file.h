@@ -17,7 +17,8 @@ struct KnownNames {
 };
 
 // Fills buttons, keys, motions, takes (files of takes/ beside `file`), scenes, channels and, where there is a
-// cues.toml beside `file`, the cue list of `show`, whose cast must be there: names are looked up in it.
+// cues.toml beside `file`, the cue list of `show`, whose cast must be there: names are looked up in it; where
+// there is a lobby.toml, the lobby.
 // Pictures of backdrops are appended to the cast's textures. Returns every fault found, one line each: file,
 // line, item, reason; empty when all is well, and then show::CheckShow finds nothing wrong with what was
 // read. With faults, `show` is filled in part and must not be used.

@@ -93,6 +93,9 @@ show::LifeAmounts LifeAt(toml::Section& section, std::string_view key, float oth
 // The cue list, of cues.toml. Scenes, motions, gaze targets and roles must have been read.
 void ReadCueList(Script& script, toml::Section file);
 
+// The lobby, of lobby.toml. Cues, motions and gaze targets must have been read.
+void ReadLobbyFile(Script& script, toml::Section file);
+
 // Fills the 32 buttons of a sheet, which stand in `list` as rows of texts such as "face kaori". Scenes must
 // have been read, since buttons name them.
 void ReadButtons(Script& script, const toml::Section& file, const std::string& list,

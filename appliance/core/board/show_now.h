@@ -21,6 +21,13 @@ enum CueState : std::uint32_t {
 enum class LevelOwner : std::uint32_t { kNobody, kCue, kRemote, kRole, kLips, kVoice };
 inline constexpr std::uint32_t kLevelOwnerCount = 6;
 
+// Where the lobby stands, as pages tell it; in the order of performance::LobbyPhase.
+enum class LobbyState : std::uint32_t { kOff, kAsleep, kWaiting, kGreeting, kWith, kGoodbye, kTakenOver };
+inline constexpr std::uint32_t kLobbyStateCount = 7;
+// Whether it keeps its opening hours; kClockUnknown: it should, and nobody knows the time of day.
+enum class LobbyHours : std::uint32_t { kNone, kOpen, kShut, kClockUnknown };
+inline constexpr std::uint32_t kLobbyHoursCount = 4;
+
 // One level in one frame. `role` says something only where kRole is the owner, and lies below
 // kMostRoles all the same.
 struct LevelShown {
@@ -53,6 +60,8 @@ struct ShowNow {
   std::array<LevelShown, kMostLevels> levels{};  // In the order of show::Level.
   // By the show's roles: the show::Device from which each is played; one more than the last: nobody plays it.
   std::array<std::uint32_t, kMostRoles> role_devices{};
+  LobbyState lobby{};
+  LobbyHours lobby_hours{};
 };
 
 }  // namespace kaori::board

@@ -10,6 +10,7 @@
 #include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
+#include "appliance/core/performance/lobby.h"
 #include "appliance/core/performance/lock.h"
 #include "appliance/core/performance/motions.h"
 #include "appliance/core/performance/mouth.h"
@@ -95,6 +96,7 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
   HandleLines(state, board.lines, dt_s);
   PlayCues(state, board, show, dt_s);
   FollowServiceKey(state, was_locked, board.lines);
+  PlayLobby(state, board, events, show, dt_s);
   FollowKnobs(state, dt_s);
   FollowLevels(state, dt_s);
   const float play_s = PlayTime(state, dt_s);
@@ -172,15 +174,16 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   scene.head = Sum(state.head, idle.head, motion.head);
   for (std::size_t eye = 0; eye < scene.gaze.size(); ++eye)
     scene.gaze[eye] = Sum(state.gaze, idle.gaze[eye], motion.gaze);
-  scene.breath = idle.breath;
+  scene.breath = BreathAsleep(state, idle.breath);
   scene.pupil = idle.pupil;
   AddBrowsAndLids(state.brow + idle.brow, show.channels, scene.gaze[0], motion.channels);
+  motion.lids = std::max(motion.lids, LidsAsleep(state.lobby));
   Weigh(state, board, show, motion, scene, dt_s);
   Swing(state.sway, scene.head, dt_s);
   scene.hair_sway_rad = state.sway.angle_rad;
   HangBackdrops(state.backdrops, show, scene);
-  scene.light.exposure =
-      ValueNow(state.exposure) * At(state.shown, Knob::kLight) * ValueNow(state.cue_light) * Unblacked(state);
+  scene.light.exposure = ValueNow(state.exposure) * At(state.shown, Knob::kLight) *
+                         ValueNow(state.cue_light) * Unblacked(state) * LightAsleep(state.lobby, show);
   scene.present = ValueNow(state.present);
   performed.lamps = LitLamps(state, show);
   return performed;

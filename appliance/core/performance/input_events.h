@@ -83,6 +83,9 @@ class InputEvents {
     glm::vec2 moved{};                   // Right and down, in parts of the picture.
     std::int32_t notches = 0;            // Of the wheel; away from the hand is positive.
   } pointer;
+  // Minutes since Monday 00:00 in local time, below 10 080; -1: the wall clock cannot be believed. No value:
+  // it has not changed. Whoever knows the time says it; the board does not.
+  std::optional<std::int32_t> week_minute{};
 
  private:
   friend InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board);

@@ -147,7 +147,7 @@ bool IsValid(const State& state, const show::Show& show) {
          std::ranges::all_of(state.kept, [&](const Kept& kept) { return IsValidKept(kept, show); }) &&
          state.sheet < show::kSheetCount && IsValidCueRun(state.cue_run, show.cue_list) &&
          IsValidVoices(state, show) && IsValidLife(state.life, show.gaze_targets.size()) &&
-         (show.scenes.empty() || state.scene < show.scenes.size());
+         IsValidLobby(state.lobby, show) && (show.scenes.empty() || state.scene < show.scenes.size());
 }
 
 }  // namespace kaori::performance

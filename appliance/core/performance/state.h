@@ -14,6 +14,7 @@
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/level_state.h"
 #include "appliance/core/performance/life_state.h"
+#include "appliance/core/performance/lobby_state.h"
 #include "appliance/core/performance/mixture.h"
 #include "appliance/core/show/show.h"
 #include "drivers/base/clock.h"
@@ -72,7 +73,7 @@ inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop.
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 14;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 15;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -128,6 +129,7 @@ struct State {
   std::uint16_t black_scene = 0;   // The scene at the last look at that switch.
   // The scene that was entered last.
   std::uint16_t scene = 0;
+  LobbyNow lobby;
 };
 static_assert(std::is_trivially_copyable_v<State>);
 

@@ -249,6 +249,7 @@ std::vector<std::string> CheckShow(const Show& show) {
   CheckTargets(show, faults);
   CheckCueList(show, faults);
   CheckRoles(show.roles, faults);
+  CheckLobby(show, faults);
   return faults;
 }
 

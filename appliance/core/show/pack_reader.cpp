@@ -7,6 +7,7 @@
 #include "appliance/core/show/pack_copier.h"
 #include "appliance/core/show/pack_cues.h"
 #include "appliance/core/show/pack_layout.h"
+#include "appliance/core/show/pack_lobby.h"
 #include "appliance/core/show/pack_roles.h"
 
 namespace kaori::show {
@@ -209,6 +210,7 @@ Show Read(Copier& from, const pack::Pack& stored) {
   show.channels = ReadChannels(from, stored);
   show.cue_list = ReadCueList(from, stored.cue_list());
   show.roles = ReadRoles(from, stored.roles());
+  show.lobby = ReadLobby(from, stored.lobby());
   show.gaze_targets = from.Tables<GazeTarget>(stored.gaze_targets(), ReadTarget);
   const auto blink = from.Numbers(stored.blink());
   std::copy_n(blink.begin(), std::min(blink.size(), show.cast.blink.size()), show.cast.blink.begin());

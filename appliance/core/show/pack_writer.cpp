@@ -7,6 +7,7 @@
 #include "appliance/core/show/pack_content.h"
 #include "appliance/core/show/pack_cues.h"
 #include "appliance/core/show/pack_layout.h"
+#include "appliance/core/show/pack_lobby.h"
 #include "appliance/core/show/pack_roles.h"
 
 namespace kaori::show {
@@ -194,12 +195,13 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto gaze_targets = WriteAll(to, show.gaze_targets);
   const auto face_fades = Structs<pack::ItemFade>(to, show.face_fades);
   const auto expression_fades = Structs<pack::ItemFade>(to, show.expression_fades);
+  const auto lobby = WriteLobby(to, show.lobby);
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, motions, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
                           show.channels.lids_down, mouth, blink, keys, cue_list, roles, gaze_targets,
-                          face_fades, expression_fades);
+                          face_fades, expression_fades, lobby);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "appliance/core/show/cue.h"
 #include "appliance/core/show/fade.h"
 #include "appliance/core/show/life.h"
+#include "appliance/core/show/lobby.h"
 #include "appliance/core/show/motion.h"
 #include "appliance/core/show/roles.h"
 #include "render/face/cast.h"
@@ -76,6 +78,7 @@ struct Show {
   Roles roles = UsualRoles();
   // What she can look at; the first one is the house (HouseOf).
   std::vector<GazeTarget> gaze_targets;
+  std::optional<Lobby> lobby;  // None: she stays as the operators leave her.
 };
 
 // The item's own fade; one without its own times, where it has none.

@@ -49,7 +49,7 @@ bool HasNothing(const InputEvents& events) {
   const auto still = [](std::int32_t turned) { return turned == 0; };
   return events.presses().empty() && events.calls().empty() && events.lost_calls() == 0 &&
          std::ranges::all_of(events.turned, still) && !events.pointer.pressed &&
-         events.pointer.moved == glm::vec2() && events.pointer.notches == 0;
+         events.pointer.moved == glm::vec2() && events.pointer.notches == 0 && !events.week_minute;
 }
 
 }  // namespace
@@ -108,7 +108,8 @@ bool IsSame(const InputEvents& a, const InputEvents& b) {
   return std::ranges::equal(a.presses(), b.presses(), same_press) &&
          std::ranges::equal(a.calls(), b.calls(), same_call) && a.lost_calls() == b.lost_calls() &&
          a.turned == b.turned && a.pointer.pressed == b.pointer.pressed &&
-         a.pointer.moved == b.pointer.moved && a.pointer.notches == b.pointer.notches;
+         a.pointer.moved == b.pointer.moved && a.pointer.notches == b.pointer.notches &&
+         a.week_minute == b.week_minute;
 }
 
 void PackState(const performance::State& state, StateWords& into) {
@@ -146,7 +147,9 @@ bool UnpackFrame(const FrameWords& words, FrameTimes& times, FrameInput& into) {
   };
   return valid && into.events.presses().size() <= InputEvents::kMostPresses &&
          into.events.calls().size() <= InputEvents::kMostCalls &&
-         std::ranges::all_of(into.events.calls(), known);
+         std::ranges::all_of(into.events.calls(), known) &&
+         (!into.events.week_minute || (*into.events.week_minute >= performance::kNoWeekMinute &&
+                                       *into.events.week_minute < show::kWeekMinutes));
 }
 
 performance::State UnpackState(const StateWords& words) {

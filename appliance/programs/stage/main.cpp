@@ -9,6 +9,7 @@
 // any moment is started anew and goes on from the state on the board, while the fd keeper keeps the last
 // picture on the screen. It ends with status 1 where the show, the board, GL or the card cannot be had, and
 // with 2 where it is misused; a screen that is missing never ends it.
+#include <ctime>
 #include <future>
 #include <optional>
 
@@ -234,6 +235,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.SetEditor(std::move(loaded.editor));
   stage.LetTeach(std::move(loaded.own_roles));
+  stage.SetLocalTime([] { return kaori::stage::WeekMinute(std::time(nullptr)); });
   if (evening->play) stage.PlayOver(std::move(evening->play));
   const auto log = LogOf(settings, loaded.log_head);
   if (log) stage.SetLog(&log->recorder());

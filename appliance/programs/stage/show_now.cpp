@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "appliance/core/performance/kept.h"
+#include "appliance/core/performance/lobby.h"
 
 namespace kaori::stage {
 namespace {
@@ -15,6 +16,8 @@ using show::Level;
 // The board's arrays hold every level and role that a show can have, so that nothing below needs a bound.
 static_assert(show::kLevelCount <= board::ShowNow::kMostLevels);
 static_assert(show::kMostRoles <= board::ShowNow::kMostRoles);
+
+static_assert(performance::kLobbyPhaseCount == board::kLobbyStateCount);
 
 constexpr float kDrives = 0.5F;  // Of the mouth: more than half is whose it is.
 
@@ -54,10 +57,18 @@ void TellOfTheMouth(const performance::State& state, board::ShowNow& now) {
   now.levels[static_cast<std::size_t>(Level::kMouthWidth)] = {state.mouth_wide, owner, 0};
 }
 
+// Outside its cue the lobby keeps no hours.
+board::LobbyHours HoursOf(const performance::LobbyNow& now, const show::Show& show) {
+  if (!show.lobby || show.lobby->hours.empty() || now.phase == performance::LobbyPhase::kOff)
+    return board::LobbyHours::kNone;
+  if (!performance::KnowsHours(now, *show.lobby)) return board::LobbyHours::kClockUnknown;
+  return performance::IsOpen(now, *show.lobby) ? board::LobbyHours::kOpen : board::LobbyHours::kShut;
+}
+
 }  // namespace
 
 // The mouth comes last, since lips and voice are written over what the levels of its two dials say.
-board::ShowNow ShowNowOf(const performance::State& state) {
+board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show) {
   board::ShowNow now{.cue_active = state.cue_run.active,
                      .cue_standby = state.cue_run.standby,
                      .cue_pending = state.cue_run.pending,
@@ -73,6 +84,8 @@ board::ShowNow ShowNowOf(const performance::State& state) {
   for (std::size_t i = 0; i < state.levels.size(); ++i)
     now.levels[i] = {state.levels[i].value, OwnerOf(state.levels[i]), state.levels[i].role};
   std::ranges::copy(state.role_devices, now.role_devices.begin());
+  now.lobby = static_cast<board::LobbyState>(state.lobby.phase);
+  now.lobby_hours = HoursOf(state.lobby, show);
   TellOfTheMouth(state, now);
   return now;
 }

@@ -3,10 +3,11 @@
 
 #include "appliance/core/board/show_now.h"
 #include "appliance/core/performance/state.h"
+#include "appliance/core/show/show.h"
 
 namespace kaori::stage {
 
-// Pure, and allocates nothing.
-board::ShowNow ShowNowOf(const performance::State& state);
+// Of a state that belongs to the show. Pure, and allocates nothing.
+board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show);
 
 }  // namespace kaori::stage

@@ -20,8 +20,7 @@ namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
 constexpr std::uint64_t kFirstFrames = 100;  // Among them are those that compile shaders.
-// The age of the lips is logged when it changes by more than a quarter and 5 ms, and not more often than
-// every ten seconds.
+// The age of the lips is logged again when it has changed by a quarter and 5 ms, every ten seconds at most.
 constexpr Duration kSameAge = std::chrono::milliseconds(5);
 constexpr Duration kAgeQuiet = std::chrono::seconds(10);
 constexpr Duration kOldestInput = std::chrono::hours(1);             // What is older is as old.
@@ -220,6 +219,7 @@ const board::Snapshot& Stage::WithEvening(const board::Snapshot& live, Time pres
 scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   const board::Snapshot& snapshot = evening_ ? WithEvening(live, presented_at) : live;
   performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);
+  local_time_.Tell(studio_.show(), state_.lobby, clock_.now(), events);
   const bool guiding = IsGuiding(snapshot.lips_guide, presented_at);
   if (guiding) ConsumeGuideInput(events);
   const board::Snapshot& left =
@@ -233,7 +233,7 @@ scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   call_log_.Tell(state_, performed.state, presented_at);
   state_ = performed.state;
   writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);
-  writers_.show_now.Write(ShowNowOf(state_), presented_at, board::SourceState::kLive);
+  writers_.show_now.Write(ShowNowOf(state_, studio_.show()), presented_at, board::SourceState::kLive);
   WriteMotionNow(presented_at);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
     writers_.lamps.Write({performed.lamps}, presented_at, board::SourceState::kLive);

@@ -20,6 +20,7 @@
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/call_log.h"
 #include "appliance/programs/stage/frame_pacer.h"
+#include "appliance/programs/stage/local_time.h"
 #include "appliance/programs/stage/mouth_clock.h"
 #include "appliance/programs/stage/service_modes.h"
 #include "appliance/programs/stage/studio.h"
@@ -58,6 +59,8 @@ class Stage {
   // From the next frame on each is noted there, seen or not. The recorder outlives the stage; null: no
   // longer.
   void SetLog(showlog::Recorder* log) { log_ = log; }
+  // Where a lobby's opening hours come from; see LocalTime::Set.
+  void SetLocalTime(std::function<std::int32_t()> week_minute) { local_time_.Set(std::move(week_minute)); }
   // Lines over the picture from the next frame on, for whoever services the box; none in a show.
   void SetNotice(const std::vector<std::string>& lines) {
     if (lines != notice_) notice_ = lines;
@@ -154,6 +157,7 @@ class Stage {
   std::unique_ptr<editor::ExpressionEditor> editor_;
   ServiceModes service_{writers_.line_check, writers_.learn};
   CallLog call_log_;
+  LocalTime local_time_;
   showlog::Recorder* log_ = nullptr;
   std::unique_ptr<showlog::MinusOne> evening_;
   board::Snapshot laid_;  // The board of this frame, where an evening lies over it.

@@ -9,7 +9,8 @@ function doing(now, cues) {
   const coming = cues[now.pending];
   const comes = coming && (now.waiting ? `${coming.number} waits for a person, ${now.left_s.toFixed(1)} s at most`
                                        : `${coming.number} comes in ${now.left_s.toFixed(1)} s`);
-  return [now.locked && 'Locked: only those who play are heard', now.locked && now.locked_out > 0 && `${now.locked_out} refused`,
+  return [now.lobby && `Lobby: ${now.lobby}`, now.lobby_hours,
+          now.locked && 'Locked: only those who play are heard', now.locked && now.locked_out > 0 && `${now.locked_out} refused`,
           now.paused && 'Paused', now.black && 'Blackout', now.panicking && 'Panic', comes,
           now.standby >= cues.length && 'The list is over: GO is refused',
           now.refused > 0 && `${now.refused} GO refused`].filter(Boolean).join(' \u00b7 ');

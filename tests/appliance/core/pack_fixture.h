@@ -50,6 +50,18 @@ inline show::Show SmallShow() {
        .gaze = show::kNoTarget,
        .lock = true,
        .wait = {show::CuePerson::kVoiceQuiet, 1, 20}}};
+  show.lobby = show::Lobby{.cue = 1,
+                           .greetings = {{"ja", 0}, {"en-GB", 0}},
+                           .stays = {{"", 0}},
+                           .goodbyes = {{"fr", 0}},
+                           .visitor = 1,
+                           .arrive_s = 0.5F,
+                           .leave_s = 5,
+                           .stay_s = 30,
+                           .sleep_s = 90,
+                           .sleep_light = 0.25F,
+                           .hand_back_s = 300,
+                           .hours = {{600, 900}, {9000, 10'100}}};
   show.roles.handover_s = 0.5F;
   show.roles.mixes = {{show::CallKind::kExpression, 2}};
   show.roles.roles[1].maps[0].points = {{0, 0}, {0.5F, 0.25F}, {1, 1}};

@@ -19,7 +19,8 @@ using show::Show;
 using ::testing::HasSubstr;
 
 TEST_F(PackTest, AShowComesOutAsItWentIn) {
-  const Show show = SmallShow();
+  Show show = SmallShow();
+  show.lobby->by_itself = true;
   ASSERT_THAT(CheckShow(show), ::testing::IsEmpty());
   const auto file = folder_ / "small.kaori";
   ASSERT_TRUE(SavePack(show, file));
@@ -76,6 +77,10 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(list.tracked[2].life, (show::LifeAmounts{0.5F, 0.5F, 1, 1, 0}))
       << "what a cue does not name stays";
   EXPECT_EQ(list.tracked.size(), 3U) << "what stands after each cue is known at once";
+  ASSERT_TRUE(loaded->lobby);
+  EXPECT_TRUE(loaded->lobby->by_itself);
+  EXPECT_EQ(loaded->lobby->greetings[1].language, "en-GB");
+  EXPECT_EQ(loaded->lobby->hours[1].to, 10'100);
   EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
 }
 
@@ -176,6 +181,13 @@ const ShowFault kShowFaults[] = {
      "cue 1.5: light is nan"},
     {"CueOfNoKindOfNext", [](Show& s) { s.cue_list.cues[0].next = show::CueNext{9}; },
      "cue 1: what begins the next cue is not known"},
+    {"LobbyOfNoCue", [](Show& s) { s.lobby->cue = 2; }, "lobby: there is no cue 2"},
+    {"LobbyWithoutAGreeting", [](Show& s) { s.lobby->greetings.clear(); }, "lobby: it has no greeting"},
+    {"LobbyOfNoTake", [](Show& s) { s.lobby->stays[0].motion = 7; }, "lobby: stays: there is no motion 7"},
+    {"LobbyThatNeverSleeps", [](Show& s) { s.lobby->sleep_s = kNan; }, "lobby: a time is nan s"},
+    {"LobbyThatOpensOnNoDay", [](Show& s) { s.lobby->hours[0].from = show::kWeekMinutes; },
+     "lobby: it cannot be open from 10080 to 900 min of the week"},
+    {"LobbyThatLooksAtNobody", [](Show& s) { s.lobby->visitor = 5; }, "lobby: there is no gaze target 5"},
     {"PanicOfNoScene", [](Show& s) { s.cue_list.panic.index = 5; }, "cue list: there is no scene of panic 5"},
     {"RoleOfNoLevel", [](Show& s) { s.roles.roles[1].maps[3].level = show::Level{99}; },
      "role \"head\", slider: its level is not known"},

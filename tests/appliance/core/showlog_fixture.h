@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -69,9 +70,12 @@ class ShowLogTest : public performance::PerformanceTest {
   // Plays so many frames, noted; what they showed is added to shown_.
   void Play(int frames, bool changed = false) {
     for (int i = 0; i < frames; ++i) {
-      MoveEverything(frame_++);
+      if (!still_) MoveEverything(frame_);
+      ++frame_;
       now_ += performance::kFrame;
-      const auto events = performance::ReadEvents(state_.seen, board_);
+      auto events = performance::ReadEvents(state_.seen, board_);
+      // As the stage tells it: once for each minute.
+      if (week_minute_ && week_minute_() != state_.lobby.week_minute) events.week_minute = week_minute_();
       performed_ = performance::Animate(state_, board_, events, show_, now_);
       recorder_.Note({now_, board_, state_, events, changed}, performed_);
       state_ = performed_.state;
@@ -97,6 +101,8 @@ class ShowLogTest : public performance::PerformanceTest {
   bool write_ = true;
   std::filesystem::path file_;
   int frame_ = 0;
+  bool still_ = false;                           // Nobody touches anything.
+  std::function<std::int32_t()> week_minute_{};  // What the wall clock says, where there is one.
   std::vector<scene::Scene> shown_;
 };
 

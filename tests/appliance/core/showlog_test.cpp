@@ -4,6 +4,7 @@
 #include <cstring>
 #include <random>
 
+#include "appliance/core/board/lines.h"
 #include "appliance/core/performance/levels.h"
 #include "hw-sim/evening/allocations.h"
 #include "tests/appliance/core/showlog_fixture.h"
@@ -92,6 +93,35 @@ TEST_F(ShowLogTest, PlaysTogglesHeldButtonsAndTheSecondSheetAgainToTheBit) {
   }
   EXPECT_GT(later.frames(), 1000U);
   EXPECT_EQ(later.frames_that_differ(), 0U) << "from the state that the chunk holds";
+}
+
+// What the lobby does follows from the sensor and from what the wall clock said, and both are in the log.
+TEST_F(ShowLogTest, PlaysAnEveningInTheLobbyAgainToTheBit) {
+  show_.gaze_targets = {{show::kHouseName, {0, 0, 4}}};
+  show::Track(show_);
+  show_.lobby =
+      show::Lobby{.cue = 0, .by_itself = true, .greetings = {{"en", 0}}, .sleep_s = 3, .hours = {{0, 60}}};
+  board_.lines.source = board::SourceState::kLive;
+  still_ = true;
+  week_minute_ = [this] { return frame_ < 2000 ? 59 : 60; };
+  std::array<int, performance::kLobbyPhaseCount> frames{};
+  for (int k = 0; k < 60; ++k) {
+    board_.lines.value.active = k % 20 > 10 ? 1U << static_cast<unsigned>(board::Line::kPresence) : 0U;
+    Play(50);
+    ++frames[static_cast<std::size_t>(state_.lobby.phase)];
+  }
+  EXPECT_GT(frames[static_cast<std::size_t>(performance::LobbyPhase::kAsleep)], 10);
+  EXPECT_GT(frames[static_cast<std::size_t>(performance::LobbyPhase::kWith)], 5);
+  EXPECT_EQ(state_.lobby.week_minute, 60);
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  Replay replay(*log, show_);
+  while (replay.Next()) {
+  }
+  EXPECT_EQ(replay.frames(), shown_.size());
+  EXPECT_EQ(replay.frames_that_differ(), 0U);
+  // Bits and not numbers. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+  EXPECT_EQ(std::memcmp(&replay.made().state.lobby, &state_.lobby, sizeof(state_.lobby)), 0);
 }
 
 TEST_F(ShowLogTest, SaysWhereAnotherShowPlaysOtherwise) {
