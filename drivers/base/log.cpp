@@ -32,15 +32,20 @@ void SetLogName(std::string_view name) {
   LogName() = name;
 }
 
+std::string LogPrefix(Severity severity) {
+  const std::string rank = IsJournal(STDERR_FILENO) ? fmt::format("<{}>", static_cast<int>(severity)) : "";
+  return fmt::format("{}{}: ", rank, LogName());
+}
+
 // What cannot be written is lost: a log that failed has nowhere to be told.
 void LogLines(Severity severity, std::string_view lines) {
-  const std::string prefix = IsJournal(STDERR_FILENO) ? fmt::format("<{}>", static_cast<int>(severity)) : "";
+  const std::string prefix = LogPrefix(severity);
   std::string whole;
   // One write(2) for all lines: a pipe keeps up to 4096 bytes together
   // (PIPE_BUF), so that lines of several programs do not mix.
   do {
     const auto end = std::min(lines.find('\n'), lines.size());
-    whole += fmt::format("{}{}: {}\n", prefix, LogName(), lines.substr(0, end));
+    whole += fmt::format("{}{}\n", prefix, lines.substr(0, end));
     // An empty text still gives one line: the loop runs at least once.
     lines.remove_prefix(std::min(end + 1, lines.size()));
   } while (!lines.empty());

@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "drivers/base/crash_report.h"
 #include "drivers/base/log.h"
 
 namespace kaori {
@@ -45,6 +46,7 @@ void BeginProgram(std::string_view name) {
   SetLogName(name);
   NoMemoryLine() = std::string(name) + ": there is no memory left; the program ends\n";
   std::set_terminate(EndWithException);
+  ReportCrashes();
 }
 
 int ExitWithError(const Error& error, int status) {

@@ -10,7 +10,8 @@ namespace kaori {
 // Called first by main. Sets the log's name, and makes the two exceptions that a program
 // cannot prevent (std::bad_alloc, and std::system_error where no thread can be started)
 // end it with one line and status 1. Every other exception is our own bug and still
-// aborts, with a core file that names it. `name` is copied.
+// aborts, and a program that a signal ends leaves a report (crash_report.h). `name` is
+// copied.
 void BeginProgram(std::string_view name);
 
 // Logs the error with severity kError, a line for each of its lines, and returns

@@ -66,6 +66,7 @@ expect "format takes no words" format --loud
 expect "build takes no words" build --loud
 expect "clean takes no words" clean --loud
 expect "sheet takes the name of one FOLDER" sheet --loud
+expect "symbols takes the name of one REPORT" symbols --loud
 expect "cross builds for arm64" cross
 expect "cross builds for arm64" cross m68k
 expect "cross knows no --loud" cross arm64 --loud

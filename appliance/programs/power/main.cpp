@@ -1,7 +1,8 @@
-// kaori-power: what a short press of the PC's power button does.
+// kaori-power: what a short press of the PC's power button does, and why the box's last start ended.
 //
 // In a show it does nothing and says so; while the service key is on it stops the box. A long press is the
-// hardware's, and to take the mains away is always safe.
+// hardware's, and to take the mains away is always safe. It lives as long as the box does, and so it notes when the
+// box is stopped, and says after the next start how the one before ended.
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "appliance/core/board/service_key.h"
+#include "appliance/programs/power/last_start.h"
 #include "appliance/programs/power/power_button.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
@@ -20,14 +22,15 @@
 namespace {
 
 constexpr std::string_view kHelp =
-    R"(kaori-power: stops the box by its power button, while the service key is on
+    R"(kaori-power: stops the box by its power button, while the service key is on; says how the last start ended
 
   --board FILE    the board, shared with the other programs (/run/kaori/board)
   --notice FILE   what the status picture says of a press that did nothing (/run/kaori-notices/power)
+  --start FILE    whether this start runs or is stopped, for the next one; nothing is noted without it
 )";
 
 struct Settings {
-  std::string board = "/run/kaori/board", notice = "/run/kaori-notices/power";
+  std::string board = "/run/kaori/board", notice = "/run/kaori-notices/power", start;
 };
 
 constexpr const char* kIgnored =
@@ -60,18 +63,19 @@ void HandlePress(const Settings& settings) {
     kaori::LogError("systemctl poweroff: {}", status ? std::to_string(*status) : status.error().message());
 }
 
-}  // namespace
+// Without a data partition nothing is known of starts before, and the show goes on.
+void SayHowTheLastStartEnded(kaori::power::LastStart& start) {
+  const auto said = start.Begin();
+  if (!said)
+    kaori::LogWarning("{}", said.error().message());
+  else if (!said->empty())
+    kaori::Log("{}", *said);
+}
 
-int main(int argc, char** argv) {
-  kaori::BeginProgram("kaori-power");
-  Settings settings;
-  kaori::Options options(kHelp);
-  options.Text("--board", settings.board).Text("--notice", settings.notice);
-  if (const auto status = options.Parse(argc, argv)) return *status;
-  std::vector<kaori::power::PowerButton> buttons = kaori::power::PowerButton::FindAll();
-  if (buttons.empty()) return kaori::Log("this machine has no power button"), 0;
+// Runs until the program is told to end, which the service manager does when the box stops.
+kaori::Result<void> ListenTo(std::vector<kaori::power::PowerButton>& buttons, const Settings& settings) {
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return kaori::ExitWithError(loop.error());
+  if (!loop) return tl::unexpected(loop.error());
   for (kaori::power::PowerButton& button : buttons) {
     const auto read = [&] {
       const auto pressed = button.ReadPress();
@@ -80,9 +84,25 @@ int main(int argc, char** argv) {
       kaori::LogWarning("{}", pressed.error().message());
       loop->Forget(button.fd());
     };
-    if (auto watched = loop->Watch(button.fd(), read); !watched) return kaori::ExitWithError(watched.error());
+    if (auto watched = loop->Watch(button.fd(), read); !watched) return watched;
   }
-  if (auto ran = loop->RunEvery(kNoticePeriod, [&] { ForgetNotice(settings.notice); }); !ran)
-    return kaori::ExitWithError(ran.error());
+  return loop->RunEvery(kNoticePeriod, [&] { ForgetNotice(settings.notice); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::BeginProgram("kaori-power");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--board", settings.board).Text("--notice", settings.notice).Text("--start", settings.start);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  std::vector<kaori::power::PowerButton> buttons = kaori::power::PowerButton::FindAll();
+  if (buttons.empty()) kaori::Log("this machine has no power button");
+  kaori::power::LastStart start(settings.start, {});
+  if (!settings.start.empty()) SayHowTheLastStartEnded(start);
+  if (auto ran = ListenTo(buttons, settings); !ran) return kaori::ExitWithError(ran.error());
+  if (settings.start.empty()) return 0;
+  if (auto noted = start.NoteStop(); !noted) kaori::LogWarning("{}", noted.error().message());
   return 0;
 }
