@@ -108,7 +108,7 @@ class Evening {
     return verdict;
   }
 
-  const std::vector<DrawnPicture>& pictures() const { return pictures_; }
+  const ShownEvening& shown() const { return shown_; }
 
  private:
   Duration now() const { return rehearsal_.now() - rehearsal_.began(); }
@@ -138,12 +138,16 @@ class Evening {
     seen_.blackout = state.blackout;
     if (state.go_quiet_s < go_quiet_s_) ++verdict_.go_played;
     go_quiet_s_ = state.go_quiet_s;
+    shown_.last = state.last;
     if (!studio_.drew()) return;
     ++verdict_.pictures_drawn;
-    pictures_.push_back({state.last, SumOfPicture(studio_, small_)});
-    if (state.blackout < 1 || IsBlack(small_)) return;
+    const auto sum = SumOfPicture(studio_, small_);
+    if (sum) shown_.pictures.push_back({state.last, *sum});
+    if (sum && (state.blackout < 1 || IsBlack(small_))) return;
     ++verdict_.wrong_pictures;
-    verdict_.wrong.push_back(fmt::format("{:.1f} s: a picture of the blackout is not black", Seconds(now())));
+    verdict_.wrong.push_back(fmt::format(
+        "{:.1f} s: {}", Seconds(now()),
+        sum ? "a picture of the blackout is not black" : "the picture that was drawn cannot be read"));
   }
 
   // The two controls by which operators call GO in an order. One whose cable is out calls nobody.
@@ -179,7 +183,7 @@ class Evening {
   Player player_;
   ShowSeen seen_;
   Verdict verdict_;
-  std::vector<DrawnPicture> pictures_;
+  ShownEvening shown_;
   stage::SmallImage small_;
   std::size_t next_ = 0;
   int seconds_ = 0;
@@ -205,7 +209,7 @@ Result<Verdict> PlayEvening(const RunningOrder& order, const EveningOptions& opt
   fs::remove_all(options.folder, none);
   const fs::path logs = fs::path(options.folder) / "log";
   Verdict verdict;
-  std::vector<DrawnPicture> pictures;
+  ShownEvening shown;
   {
     studio.DrawOneOf(options.draw_one_of);
     auto rehearsal = Rehearsal::Open({.folder = options.folder + "/box",
@@ -224,10 +228,9 @@ Result<Verdict> PlayEvening(const RunningOrder& order, const EveningOptions& opt
     (*log)->Finish();
     verdict = evening.Report();
     CompareGos(verdict);
-    pictures = evening.pictures();
+    shown = evening.shown();
   }
-  if (auto checked = CheckLogs(logs, pictures, {options.width_px, options.height_px}, studio, verdict);
-      !checked)
+  if (auto checked = CheckLogs(logs, shown, {options.width_px, options.height_px}, studio, verdict); !checked)
     return tl::unexpected(checked.error());
   if (verdict.log_parts_lost == 0 && verdict.log_parts_allowed != 0)
     verdict.wrong.emplace_back("the disk of the log was full, and no part of the log is lost");

@@ -23,21 +23,23 @@ constexpr std::size_t kMostSentences =
 // One evening's logs, one file after the other.
 class LogCheck {
  public:
-  LogCheck(const std::vector<DrawnPicture>& pictures, Size size, stage::Studio& studio, Verdict& into)
+  LogCheck(const ShownEvening& shown, Size size, stage::Studio& studio, Verdict& into)
       : studio_(studio),
         into_(into),
         pixels_(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) * 4),
         buffer_{size.width_px, size.height_px, ports::PixelMemory{pixels_}},
-        next_(pictures.begin()),
-        end_(pictures.end()) {}
+        next_(shown.pictures.begin()),
+        end_(shown.pictures.end()) {}
 
   Result<void> Check(const fs::path& file) {
     const auto log = showlog::LogFile::Read(file);
     if (!log) return tl::unexpected(log.error());
     CountLostParts(*log);
     showlog::Replay replay(*log, studio_.show());
-    while (Next(replay))
+    while (Next(replay)) {
+      played_until_ = replay.presented_at();
       if (auto compared = Compare(replay); !compared) return compared;
+    }
     into_.frames += replay.frames();
     into_.replay_bits_differ += replay.frames_that_differ();
     if (const auto first = replay.first_difference())
@@ -45,6 +47,12 @@ class LogCheck {
           "from {} on frames of the log show something else when they play again", log->DayTimeText(*first)));
     into_.wrong.insert(into_.wrong.end(), replay.faults().begin(), replay.faults().end());
     return {};
+  }
+
+  // What was shown behind the last part of the log: as many parts as that time has, and a begun one.
+  void CountLostEnd(Time last) {
+    if (last > played_until_)
+      into_.log_parts_lost += 1 + static_cast<std::uint64_t>((last - played_until_) / showlog::kChunkTime);
   }
 
  private:
@@ -56,14 +64,13 @@ class LogCheck {
     return more;
   }
 
-  // Numbers count on from chunk to chunk and from file to file. Frames that the recorder itself has dropped
-  // are told of by the chunk that follows.
+  // Numbers count on from chunk to chunk and from file to file, from 0. Frames that the recorder itself has
+  // dropped are told of by the chunk that follows.
   void CountLostParts(const showlog::LogFile& log) {
     for (const showlog::Chunk& chunk : log.chunks()) {
-      if (number_ && chunk.head.number > *number_ + 1)
-        into_.log_parts_lost += chunk.head.number - *number_ - 1;
+      if (chunk.head.number > number_) into_.log_parts_lost += chunk.head.number - number_;
       if (chunk.head.lost_frames != 0) ++into_.log_parts_lost;
-      number_ = chunk.head.number;
+      number_ = chunk.head.number + 1;
     }
   }
 
@@ -73,7 +80,8 @@ class LogCheck {
     if (next_ == end_ || next_->presented_at != replay.presented_at()) return {};
     if (auto drawn = studio_.Draw(replay.made().scene, buffer_); !drawn) return drawn;
     ++into_.pictures;
-    if (SumOfPicture(studio_, small_) == next_->sum) return {};
+    const auto sum = SumOfPicture(studio_, small_);
+    if (sum && *sum == next_->sum) return {};
     if (++into_.wrong_pictures <= kMostSentences)
       into_.wrong.push_back(
           fmt::format("the picture {:.1f} s after the machine's start is another one from the log",
@@ -87,27 +95,29 @@ class LogCheck {
   ports::PixelBuffer buffer_;
   stage::SmallImage small_;
   std::vector<DrawnPicture>::const_iterator next_, end_;
-  std::optional<std::uint32_t> number_;  // Of the chunk before.
+  std::uint32_t number_ = 0;  // Of the chunk that is next.
+  Time played_until_{};       // The last frame that the log has.
 };
 
 }  // namespace
 
-std::uint64_t SumOfPicture(stage::Studio& studio, stage::SmallImage& into) {
+std::optional<std::uint64_t> SumOfPicture(stage::Studio& studio, stage::SmallImage& into) {
   constexpr int kAnyWidth_px = 4096;
-  return studio.ReadSmall(kAnyWidth_px, into) ? Fnv1a(into.pixels) : 0;
+  return studio.ReadSmall(kAnyWidth_px, into) ? std::optional(Fnv1a(into.pixels)) : std::nullopt;
 }
 
-Result<void> CheckLogs(const fs::path& folder, const std::vector<DrawnPicture>& pictures, Size size,
-                       stage::Studio& studio, Verdict& into) {
+Result<void> CheckLogs(const fs::path& folder, const ShownEvening& shown, Size size, stage::Studio& studio,
+                       Verdict& into) {
   const auto files = ListFolder(folder);
   if (!files) return tl::unexpected(files.error());
   studio.DrawOneOf(1);
-  LogCheck check(pictures, size, studio, into);
+  LogCheck check(shown, size, studio, into);
   for (const fs::path& file : *files) {
     std::error_code none;
     into.log_bytes += fs::file_size(file, none);
     if (auto checked = check.Check(file); !checked) return checked;
   }
+  check.CountLostEnd(shown.last);
   return {};
 }
 

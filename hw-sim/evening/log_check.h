@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "appliance/programs/stage/studio.h"
@@ -19,14 +20,22 @@ struct DrawnPicture {
   std::uint64_t sum = 0;  // Of its pixels.
 };
 
-// The sum of what the studio drew last.
-std::uint64_t SumOfPicture(stage::Studio& studio, stage::SmallImage& into);
+// What was shown in an evening.
+struct ShownEvening {
+  std::vector<DrawnPicture> pictures;  // In the order of time.
+  Time last{};                         // The last frame of all was presented then; Time{}: there was none.
+};
 
-// Plays all logs of the folder, and draws anew what is in `pictures`, which are in the order of time; those
-// of a lost part of the log are not compared. Writes frames, replay_bits_differ, pictures, wrong_pictures,
-// log_bytes, log_parts_lost and frame_path_allocations; adds sentences where something differs. Blocks for
-// the disk, and for minutes of processor time. Errors: those of the disk and of the drawing.
-Result<void> CheckLogs(const std::filesystem::path& folder, const std::vector<DrawnPicture>& pictures,
-                       Size size, stage::Studio& studio, Verdict& into);
+// The sum of what the studio drew last; nothing where it cannot be read, which is no picture that could be
+// compared.
+std::optional<std::uint64_t> SumOfPicture(stage::Studio& studio, stage::SmallImage& into);
+
+// Plays all logs of the folder, which are of one run of the stage, and draws anew what is in `shown`;
+// pictures of a lost part of the log are not compared. Writes frames, replay_bits_differ, pictures,
+// wrong_pictures, log_bytes, log_parts_lost and frame_path_allocations; adds sentences where something
+// differs. Blocks for the disk, and for minutes of processor time. Errors: those of the disk and of the
+// drawing.
+Result<void> CheckLogs(const std::filesystem::path& folder, const ShownEvening& shown, Size size,
+                       stage::Studio& studio, Verdict& into);
 
 }  // namespace kaori::sim

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "appliance/core/show/pack.h"
+#include "hw-sim/evening/log_check.h"
 
 namespace kaori::sim {
 namespace {
@@ -105,6 +106,25 @@ TEST_F(AnEvening, LosesThePartOfItsLogThatAFullDiskKeepsNothingOf) {
   EXPECT_EQ(verdict.log_parts_lost, 1U);
   EXPECT_TRUE(IsGood(verdict));
   EXPECT_LT(verdict.frames, 90 * 30U) << "half a minute is missing";
+}
+
+TEST_F(AnEvening, MissesThePartsOfItsLogWithWhichItBeginsAndEnds) {
+  const Verdict first = PlayLines(
+      "at 0.1s fault \"full\"\nat 0.1s disk fill\nat 0.1s expect picture within 0.2s\nat 31s disk free\n"
+      "at 31s expect log-grows within 40s\n");
+  EXPECT_EQ(first.log_parts_lost, 1U) << "the log begins with its second part";
+  EXPECT_THAT(first.wrong, IsEmpty());
+  const Verdict last = PlayLines(
+      "at 40s fault \"full\"\nat 40s disk fill\nat 40s expect picture within 0.2s\nat 65s line go tap\n"
+      "at 65s expect cue 1 within 0.1s\n");
+  EXPECT_EQ(last.log_parts_lost, 2U) << "half a minute, and what came after it";
+  EXPECT_FALSE(IsGood(last)) << "a disk that stays full is no fault that was answered";
+}
+
+TEST_F(AnEvening, ComparesNoPictureThatCannotBeRead) {
+  const auto fresh = stage::Studio::Open(show::LoadPack(KAORI_PACK).value()).value();
+  stage::SmallImage image;
+  EXPECT_FALSE(SumOfPicture(*fresh, image)) << "nothing was drawn yet";
 }
 
 TEST_F(AnEvening, SaysWhatWasReachedWhereItIsStopped) {
