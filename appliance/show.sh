@@ -132,11 +132,16 @@ push_show() {
   $BIN/kaori-stage --rehearse "$copy" || fail "a box would not play it; the reason stands above"
   cp "$copy" "${words[1]}/$name.kaori" && cp "$key.pub" "${words[1]}/$(basename "$key" .key).pub" && sync -f "${words[1]}" ||
     fail "the stick could not be written; the reason stands above"
-  # Not what the kernel remembers of it: what is on the stick.
-  dd if="${words[1]}/$name.kaori" iflag=nocache count=0 status=none
-  cmp -s "$copy" "${words[1]}/$name.kaori" || fail "${words[1]} does not hold what was written; take another stick"
+  is_written "$copy" "${words[1]}/$name.kaori" && is_written "$key.pub" "${words[1]}/$(basename "$key" .key).pub" ||
+    fail "${words[1]} does not hold what was written; take another stick"
   rm "$copy"
   say "$name is on the stick. At the box: key on, stick in, and GO takes it."
+}
+
+# Whether a file of a stick is what was written: is_written FILE COPY. Not what the kernel remembers of it: what is on the stick.
+is_written() {
+  dd if="$2" iflag=nocache count=0 status=none
+  cmp -s "$1" "$2"
 }
 
 play_show() {

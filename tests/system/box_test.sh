@@ -150,6 +150,23 @@ said=$(bash -c "$(sed -n '/^show_progress()/,/^}/p' "$BOX")"'
 wanted=$'building: 1 of 4 steps\na warning\nbuilding: 3 of 4 steps'
 [ "$said" = "$wanted" ] || { echo "the progress of a build was said as: $said"; failures=$((failures + 1)); }
 
+# What a stick holds is compared with what was written, the key beside the show too. cp spoils one of them in place of the stick.
+mkdir "$copy/stick"
+touch "$copy/evening.kaori" "$copy/company.key"
+echo key >"$copy/company.key.pub"
+for program in kaori-atelier kaori-stage; do
+  printf '#!/bin/sh\n' >"$copy/out/build/release/bin/$program"
+  chmod +x "$copy/out/build/release/bin/$program"
+done
+for spoilt in nothing evening.kaori company.pub; do
+  printf '#!/bin/sh\n/bin/cp "$@"\ncase $2 in */stick/%s) echo spoilt >>"$2" ;; esac\n' $spoilt >"$copy/bin/cp"
+  chmod +x "$copy/bin/cp"
+  said=$(PATH="$copy/bin:$PATH" timeout 20 "$copy/box" show push "$copy/evening.kaori" "$copy/stick" --key "$copy/company.key" 2>&1)
+  [[ $spoilt = nothing && $said = *"is on the stick"* || $spoilt != nothing && $said = *"does not hold what was written"* ]] ||
+    { echo "a push with $spoilt spoilt said: $said"; failures=$((failures + 1)); }
+done
+rm "$copy/bin/cp"
+
 # A demo says who reaches its page. The programs that it starts only write the address and wait.
 # shellcheck disable=SC2016  # For the program itself.
 printf '#!/bin/sh\nwhile [ $# -gt 0 ]; do [ "$1" != --address-file ] || echo http://127.0.0.1:1/ >"$2"; shift; done\nexec sleep 60\n' |
