@@ -1,7 +1,8 @@
 # What a box has besides its programs: the show, systemd's units, udev's rules. For systems that rootfs/image does not build,
 # such as Yocto's: `DESTDIR=FOLDER cmake --install out/build/release` lays everything down below FOLDER.
 #
-# Users and groups are the system's to make: kaori-stage, kaori-input, kaori-lips, kaori-fdkeeper and kaori-surface, and the group kaori.
+# Users and groups are the system's to make: kaori-stage, kaori-input, kaori-lips, kaori-fdkeeper, kaori-surface and kaori-trial,
+# and the group kaori.
 option(KAORI_BOX_SYSTEM "The system is a box and nothing else: its show is what systemd starts, its data have a partition" OFF)
 set(KAORI_UNIT_DIR lib/systemd/system CACHE PATH "Where systemd's units are installed")
 set(KAORI_UDEV_DIR lib/udev CACHE PATH "Where the folder of udev's rules is installed")

@@ -16,7 +16,7 @@ inline constexpr std::uint8_t kA = 0x04, kC = 0x06, kH = 0x0B, kM = 0x10, kN = 0
                               kEscape = 0x29, kBackspace = 0x2A, kTab = 0x2B, kSpace = 0x2C, kMinus = 0x2D,
                               kF1 = 0x3A, kF12 = 0x45, kInsert = 0x49, kDelete = 0x4C, kRight = 0x4F,
                               kLeft = 0x50, kDown = 0x51, kUp = 0x52, kPadEnter = 0x58, kLeftShift = 0xE1;
-inline constexpr std::uint8_t kHome = 0x4A, kEnd = 0x4D;
+inline constexpr std::uint8_t kHome = 0x4A, kPageUp = 0x4B, kEnd = 0x4D;
 }  // namespace key
 
 // Whether the key is held. `usage` is below 256.

@@ -36,9 +36,10 @@ enum class Section : std::uint32_t {
   kShowNow,
   kLineCheck,
   kLearn,
+  kShowsMenu,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 20;
+inline constexpr std::size_t kSectionCount = 21;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
@@ -100,6 +101,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"show_now", ValueWords<ShowNow>()},
                                                   {"line_check", ValueWords<LineCheck>()},
                                                   {"learn", ValueWords<Learn>()},
+                                                  {"shows_menu", ValueWords<ShowsMenu>()},
                                                   {"performance", ValueWords<Performance>()}}};
   std::size_t at = kHeadWords;
   for (SectionPlace& place : places) {
@@ -155,6 +157,7 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, ShowNow>) return Section::kShowNow;
   if constexpr (std::is_same_v<T, LineCheck>) return Section::kLineCheck;
   if constexpr (std::is_same_v<T, Learn>) return Section::kLearn;
+  if constexpr (std::is_same_v<T, ShowsMenu>) return Section::kShowsMenu;
   if constexpr (std::is_same_v<T, Performance>) return Section::kPerformance;
 }
 

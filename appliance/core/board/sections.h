@@ -15,6 +15,7 @@
 #include "appliance/core/board/learn.h"
 #include "appliance/core/board/line_check.h"
 #include "appliance/core/board/show_now.h"
+#include "appliance/core/board/shows_menu.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::board {

@@ -34,7 +34,8 @@ void KeepAbsent(Snapshot& now, const Snapshot& before) {
 
 }  // namespace
 
-// `sound`, `motion_now`, `show_now` and `learn` are not here: the stage's frames do not depend on them.
+// `sound`, `motion_now`, `show_now` and `learn` are not here: the stage's frames do not depend on them. Nor
+// is `shows_menu`, which decides of events alone.
 Snapshot ReadAll(const Board& board) {
   return {.surface = board.Read<Surface>(),
           .sticks = {board.Read<Stick>(0), board.Read<Stick>(1)},

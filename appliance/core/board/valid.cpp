@@ -150,6 +150,10 @@ bool Valid(const Learn& learn) {
          learn.ambiguous <= 1;
 }
 
+bool Valid(const ShowsMenu& menu) {
+  return menu.open <= 1;
+}
+
 // Of the bytes themselves performance::IsValid judges, when a stage takes them up.
 bool Valid(const Performance& performance) {
   return performance.bytes <= Performance::kCapacityBytes;

@@ -25,6 +25,7 @@ bool Valid(const StageStatus& status);
 bool Valid(const ShowNow& show);
 bool Valid(const LineCheck& check);
 bool Valid(const Learn& learn);
+bool Valid(const ShowsMenu& menu);
 bool Valid(const Performance& performance);
 bool Valid(SourceState source);
 // From the machine's start on, and so that readers may reckon with it.

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "drivers/base/checksum.h"
+#include "drivers/base/number.h"
 #include "drivers/base/read_file.h"
 
 namespace kaori::store {
@@ -38,6 +39,11 @@ std::optional<std::string_view> ReadLine(std::string_view& text, std::string_vie
   const auto value = text.substr(word.size(), end - word.size());
   text.remove_prefix(end + 1);
   return value;
+}
+
+// Of one of the two generations; empty where it cannot be read.
+std::string TextOf(const std::filesystem::path& shows, std::size_t which) {
+  return ReadFile(shows / kChoiceFiles[which], {.most_bytes = kMostChoice_bytes}).value_or("");
 }
 
 }  // namespace
@@ -78,18 +84,33 @@ std::optional<Choice> ParseChoice(std::string_view text) {
 }
 
 // Generations never meet: the writer takes the older file's place with the next number.
+std::optional<Choice> NewerSound(std::string_view first, std::string_view second) {
+  auto a = ParseChoice(first), b = ParseChoice(second);
+  return !a || (b && b->generation > a->generation) ? b : a;
+}
+
 Choice Newer(std::string_view first, std::string_view second) {
-  const auto a = ParseChoice(first), b = ParseChoice(second);
-  if (!a && !b) return {};
-  if (!a || (b && b->generation > a->generation)) return *b;
-  return *a;
+  return NewerSound(first, second).value_or(Choice());
+}
+
+bool HasChoice(const std::filesystem::path& shows) {
+  return NewerSound(TextOf(shows, 0), TextOf(shows, 1)).has_value();
 }
 
 Choice ReadChoice(const std::filesystem::path& shows) {
-  const auto text = [&](const char* name) {
-    return ReadFile(shows / name, {.most_bytes = kMostChoice_bytes}).value_or("");
-  };
-  return Newer(text(kChoiceFiles[0]), text(kChoiceFiles[1]));
+  return Newer(TextOf(shows, 0), TextOf(shows, 1));
+}
+
+// The older of two sound files is written over, never the newer one.
+std::uint64_t NextGeneration(const Choice& newest, std::uint64_t told) {
+  const std::uint64_t next = std::max(newest.generation, told) + 1;
+  return newest.generation > 0 && next % 2 == newest.generation % 2 ? next + 1 : next;
+}
+
+std::uint64_t ReadTold(const std::filesystem::path& file) {
+  constexpr std::size_t kMostNumber_bytes = 32;
+  const std::string text = ReadFile(file, {.most_bytes = kMostNumber_bytes}).value_or("");
+  return ParseNumber<std::uint64_t>(std::string_view(text).substr(0, text.find('\n'))).value_or(0);
 }
 
 std::vector<std::string> InOrder(const Choice& choice) {

@@ -41,8 +41,23 @@ std::string PackName(std::string_view id);
 std::string Format(const Choice& choice);
 std::optional<Choice> ParseChoice(std::string_view text);
 
-// The one of the higher generation of the two files' texts; the root's show where neither is sound. Pure.
+// The one of the higher generation of the two files' texts; nothing where neither is sound. Pure.
+std::optional<Choice> NewerSound(std::string_view first, std::string_view second);
+
+// The same; the root's show where neither is sound. Pure.
 Choice Newer(std::string_view first, std::string_view second);
+
+// Whether the folder of shows has a sound choice: it does from before its first pack on, and where it has
+// packs and none, the disk has lost it. Blocks for the disk.
+bool HasChoice(const std::filesystem::path& shows);
+
+// The generation that the choice after `newest` gets, where the stage was told of `told`: above both, since
+// the disk may have lost the choice of which it was told, and in the other one of the two files.
+std::uint64_t NextGeneration(const Choice& newest, std::uint64_t told);
+
+// The generation of the choice of which kaori-shows has told the stage, from a file in memory
+// (/run/kaori-shows/chosen); 0: of none. Blocks for that file.
+std::uint64_t ReadTold(const std::filesystem::path& file);
 
 // Reads the choice of a folder of shows; the root's show where there is none. Blocks for the disk.
 Choice ReadChoice(const std::filesystem::path& shows);

@@ -1,10 +1,10 @@
 #include "appliance/programs/shows/install_service.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "appliance/core/store/play_log.h"
 #include "appliance/core/store/said.h"
+#include "appliance/programs/shows/offers.h"
 #include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
 
@@ -12,14 +12,11 @@ namespace kaori::shows {
 namespace {
 
 constexpr Duration kLookPeriod = std::chrono::milliseconds(500);
+constexpr Duration kSilence =
+    std::chrono::milliseconds(500);          // Of a program whose part of the board is over.
 constexpr std::size_t kLongestReason = 160;  // Two lines of a small screen.
 
-constexpr std::size_t kRoomForKeys = 2;  // In a list that has more shows than it has numbers.
-
-// As people compare it with what a stick holds: decimal, without a fraction.
-std::string Megabytes(std::uint64_t bytes) {
-  return fmt::format("{:.0f} MB", static_cast<double>(bytes) * 1e-6);
-}
+constexpr const char* kTold = "chosen";
 
 // A report that cannot be written costs the lines on the screen, and not the installation.
 void WriteReport(const std::filesystem::path& file, const std::string& text) {
@@ -43,11 +40,18 @@ InstallService::InstallService(ServicePlaces places, Folder& folder, const board
       look_(std::move(look)),
       trial_(std::move(trial)) {
   RemoveLeftovers(folder_);
+  auto on_board = board.AcquireWriter<board::ShowsMenu>();
+  if (on_board)
+    on_board_.emplace(std::move(*on_board));
+  else
+    LogWarning("what is pressed in the list of shows is the show's as well: {}", on_board.error().message());
 }
 
-// The copy that is on its way is of no use to anybody.
+// The copy that is on its way is of no use to anybody. The list is over at once, and not only when it is
+// silent.
 InstallService::~InstallService() {
   if (installation_) RemoveLeftovers(folder_);
+  if (on_board_) on_board_->Write({}, {}, board::SourceState::kAbsent);
 }
 
 // Read anew for each installation: a key that was just taken counts at once. A file without a key is named,
@@ -69,27 +73,51 @@ std::string InstallService::Plays() const {
 // has ended.
 void InstallService::Step(Time now) {
   if (now >= look_next_) Look(now);
-  if (installation_) return StepInstallation();
-  if (!stick_) return;
-  if (const auto taken =
-          menu_.Read(board_.Read<board::Keys>(), board_.Read<board::Surface>(), board_.Read<board::Lines>()))
+  if (installation_) {
+    StepInstallation();
+  } else if (IsBusyElsewhere(now)) {
+    menu_.Shut();
+    menu_.ForgetPresses();
+  } else if (const auto taken = menu_.Read(board_.Read<board::Keys>(), board_.Read<board::Surface>(),
+                                           board_.Read<board::Lines>(), now)) {
     Accept(*taken);
+  }
+  FollowMenu(now);
+  KeepAlive(now);
 }
 
-// The stick may go while its show is checked; while it is copied, the copy itself notices.
+void InstallService::KeepAlive(Time now) {
+  if (on_board_) on_board_->Write({menu_.IsOpen(now) ? 1U : 0U}, now, board::SourceState::kLive);
+}
+
+// By what their programs write at least four times a second while somebody is at it.
+bool InstallService::IsBusyElsewhere(Time now) const {
+  const auto is_fresh = [now](const auto& section) {
+    return section.source == board::SourceState::kLive && now - section.at < kSilence;
+  };
+  const auto check = board_.Read<board::LineCheck>();
+  const auto learn = board_.Read<board::Learn>();
+  return (is_fresh(check) && check.value.phase == board::LineCheckPhase::kRunning) ||
+         (is_fresh(learn) && learn.value.phase != board::LearnPhase::kEnded) ||
+         is_fresh(board_.Read<board::LipsGuide>());
+}
+
+// The stick may go while its show is checked; while it is copied, the copy itself notices. What is said of a
+// stick goes with it, also where it could not be read any more before it was seen to be out.
 void InstallService::Look(Time now) {
   look_next_ = now + kLookPeriod;
   FollowChosen();
+  if (!std::exchange(has_looked_, true)) OfferBefore();
   auto looked = look_();
-  if (!looked && !installation_) Tell(Message::kUnreadable, {}, looked.error().message());
+  if (!looked && !installation_) TellOfStick(Message::kUnreadable, looked.error().message());
   auto stick = looked.value_or(std::nullopt);
-  if (looked && !stick && !installation_ && said_ == Message::kUnreadable) Tell(Message::kPlugIn);
-  if (stick == stick_) return;
+  const bool is_another = stick != stick_, is_out = looked && !stick;
   stick_ = std::move(stick);
   if (installation_) return;
-  if (stick_) return OfferAll(*stick_);
-  menu_.Offer({});
-  if (looked && (said_ == Message::kChoose || said_ == Message::kNoShow)) Tell(Message::kPlugIn);
+  if (is_another && stick_) return OfferAll(*stick_, now);
+  if (is_another) OfferBefore();
+  if (is_out && said_ && said_->of_stick) Tell(Message::kPlugIn);
+  if (is_out && !said_ && !menu_.empty()) Tell(Message::kShut);
 }
 
 // The stage notes a show when it begins to read it, and another one where it gives it up; it plays once the next
@@ -106,47 +134,34 @@ void InstallService::FollowChosen() {
   Tell(begun ? Message::kPlays : Message::kUnplayable, name_);
 }
 
-void InstallService::OfferAll(const std::filesystem::path& stick) {
+void InstallService::OfferAll(const std::filesystem::path& stick, Time now) {
   const auto listed = List(stick);
-  if (!listed) return Tell(Message::kPulled, {}, listed.error().message());
-  Tell(*listed == 0 ? Message::kNoShow : Message::kChoose);
+  if (!listed) {
+    OfferBefore();
+    return TellOfStick(Message::kPulled, listed.error().message());
+  }
+  menu_.Open(now);
+  is_open_ = menu_.IsOpen(now);
+  TellOfStick(*listed == 0 ? Message::kNoShow : Message::kChoose);
 }
 
-// Shows first, so that their numbers do not depend on the keys beside them; of many shows some have to give
-// their numbers to keys, without which they might not be trusted. A file that holds no key is not offered.
 Result<std::size_t> InstallService::List(const std::filesystem::path& stick) {
-  const auto shows = ListShows(stick), keys = ListKeys(stick);
-  if (!shows || !keys) return tl::unexpected((!shows ? shows : keys).error());
-  std::vector<Choosable> choices, of_keys;
-  for (const auto& offer : *shows) choices.push_back({Choosable::Kind::kShow, offer, Megabytes(offer.bytes)});
-  for (const auto& offer : *keys)
-    if (const auto key = show::ReadPublicKey(offer.file))
-      of_keys.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});
-  const std::vector<Choosable> before = Before();
-  const std::size_t all = choices.size() + of_keys.size(), numbers = kMostChoices - before.size();
-  choices.resize(std::min(choices.size(), numbers - std::min(of_keys.size(), kRoomForKeys)));
-  of_keys.resize(std::min(of_keys.size(), numbers - choices.size()));
-  choices.insert(choices.end(), of_keys.begin(), of_keys.end());
-  const std::size_t listed = choices.size();
-  choices.insert(choices.end(), before.begin(), before.end());
-  menu_.Offer(std::move(choices), all - listed);
-  return listed;
+  auto offered = OffersOf(stick, folder_);
+  if (!offered) return tl::unexpected(offered.error());
+  menu_.Offer(std::move(offered->choices), offered->left_out);
+  return offered->of_stick;
 }
 
-// A pack that was removed to make room is no show to go back to.
-std::vector<Choosable> InstallService::Before() const {
-  const store::Choice choice = ReadChoice(folder_);
-  std::vector<Choosable> shows;
-  const auto offer = [&](const char* name, std::string id) {
-    shows.push_back({.kind = Choosable::Kind::kBack,
-                     .offer = {.file = {}, .name = name},
-                     .remark = {},
-                     .id = std::move(id)});
-  };
-  if (choice.previous != choice.current && folder_.BytesOf(store::PackName(choice.previous)) > 0)
-    offer("back to the show before", choice.previous);
-  if (choice.current != store::kRootShow) offer("back to the box's own show", std::string(store::kRootShow));
-  return shows;
+// The list is shut: who pushes GO to try the show that has just come must not go back by it.
+void InstallService::OfferBefore() {
+  menu_.Offer(WaysBack(folder_));
+  menu_.Shut();
+  is_open_ = false;
+  if (said_) Show();
+}
+
+void InstallService::ListAnew() {
+  if (!stick_ || !List(*stick_)) OfferBefore();
 }
 
 void InstallService::Accept(const Choosable& taken) {
@@ -159,11 +174,11 @@ void InstallService::Accept(const Choosable& taken) {
 void InstallService::GoBack(const Choosable& taken) {
   name_ = taken.offer.name;
   const store::Choice choice = ReadChoice(folder_);
-  if (auto ok = WriteChoice(folder_, {choice.generation + 1, taken.id, choice.current}); !ok)
+  if (auto ok = WriteChoice(folder_, {store::NextGeneration(choice, Told()), taken.id, choice.current}); !ok)
     return Tell(ok.error().cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
                 name_, ok.error().message());
   TellStage();
-  if (stick_) static_cast<void>(List(*stick_));  // A stick that cannot be read is named at the next look.
+  ListAnew();
   Tell(Message::kInstalled, name_);
 }
 
@@ -171,7 +186,11 @@ void InstallService::GoBack(const Choosable& taken) {
 void InstallService::TellStage() {
   awaited_ = ReadChoice(folder_);
   frames_at_begin_.reset();
-  WriteReport(places_.report / "chosen", std::to_string(awaited_->generation) + "\n");
+  WriteReport(places_.report / kTold, std::to_string(awaited_->generation) + "\n");
+}
+
+std::uint64_t InstallService::Told() const {
+  return store::ReadTold(places_.report / kTold);
 }
 
 // The key alone is kept, as it was shown, under a name that no stick chooses.
@@ -191,14 +210,14 @@ void InstallService::Install(const Choosable& taken) {
   awaited_.reset();
   auto source = OpenSource(taken.offer.file);
   if (!source) return Tell(MessageOf(source.error()), name_, source.error().message());
-  installation_.emplace(folder_, std::move(*source), Keys(), trial_, Plays());
+  installation_.emplace(folder_, std::move(*source), Keys(), trial_, OnBox{.plays = Plays(), .told = Told()});
   Tell(Message::kCopying, name_);
 }
 
 void InstallService::StepInstallation() {
   const Message before = installation_->progress().message;
   const Progress progress = installation_->Step();
-  if (installation_->ended() && stick_) static_cast<void>(List(*stick_));
+  if (installation_->ended()) ListAnew();
   if (progress.message != before || installation_->ended()) Tell(progress.message, name_, progress.detail);
   if (!installation_->ended()) return;
   if (progress.message == Message::kInstalled) TellStage();
@@ -206,23 +225,53 @@ void InstallService::StepInstallation() {
   menu_.ForgetPresses();  // Whoever pressed again while nothing seemed to happen takes nothing more.
 }
 
-// Both languages, one below the other; the screen shows those lines that its font has letters for.
 void InstallService::Tell(Message message, const std::string& name, const std::string& reason) {
   const std::string detail = Printable(reason, kLongestReason);
-  said_ = message;
-  const std::string mark(IsRefusal(message) ? store::kRefusalMark : std::string_view());
-  std::string text = mark;
-  for (const std::string& line : menu_.Lines(message, Language::kEnglish, name, detail)) text += line + "\n";
-  text += mark + Say(message, Language::kJapanese, name) + "\n";
-  if (text == told_) return;
-  told_ = text;
-  WriteReport(places_.report / "lines", text);
+  const bool is_said = said_ && said_->message == message && said_->name == name && said_->detail == detail;
+  said_ = Said{message, name, detail};
+  Show();
+  if (is_said) return;
   const std::string line =
       Say(message, Language::kEnglish, name, detail) + " / " + Say(message, Language::kJapanese, name);
   if (IsRefusal(message))
     LogWarning("{}", line);
   else
     Log("{}", line);
+}
+
+void InstallService::TellOfStick(Message message, const std::string& reason) {
+  Tell(message, {}, reason);
+  said_->of_stick = true;
+}
+
+// Both languages, one below the other; the screen shows those lines that its font has letters for.
+void InstallService::Show() {
+  const auto& [message, name, detail, of_stick] = *said_;
+  const std::string mark(IsRefusal(message) ? store::kRefusalMark : std::string_view());
+  std::string text = mark;
+  for (const std::string& line : menu_.Lines(message, Language::kEnglish, name, detail, is_open_))
+    text += line + "\n";
+  text += mark + Say(message, Language::kJapanese, name) + "\n";
+  if (!is_open_ && !menu_.empty() && message != Message::kShut)
+    text += "  " + std::string(Words(Message::kShut, Language::kJapanese)) + "\n";
+  if (text == shown_) return;
+  shown_ = text;
+  WriteReport(places_.report / "lines", text);
+}
+
+// A message that only asks for a press gives way to the one that asks for the next; others stay.
+void InstallService::FollowMenu(Time now) {
+  if (is_open_ == menu_.IsOpen(now)) return;
+  is_open_ = menu_.IsOpen(now);
+  const bool of_stick = said_ && said_->of_stick;
+  const bool asks = !said_ || said_->message == Message::kShut || said_->message == Message::kPlugIn;
+  if (is_open_ && asks)
+    Tell(Message::kChoose);
+  else if (!is_open_ && said_->message == Message::kChoose)
+    Tell(Message::kShut);
+  else
+    Show();
+  said_->of_stick = of_stick;
 }
 
 }  // namespace kaori::shows

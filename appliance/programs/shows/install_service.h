@@ -1,5 +1,5 @@
-// The work of kaori-shows while the service key is on: looks for a stick, offers what lies on it, installs
-// what is taken, and says at each moment how that stands.
+// The work of kaori-shows while the service key is on: looks for a stick, offers what lies on it and the
+// shows that are on the box, installs what is taken, and says at each moment how that stands.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,8 @@ struct ServicePlaces {
 // cannot be mounted. Called every half second.
 using LookForStick = std::function<Result<std::optional<std::filesystem::path>>()>;
 
-// One thread; folder and board must outlive it.
+// One thread; folder and board must outlive it. While another program has the board's section `shows_menu`
+// the show hears what is pressed in the list.
 class InstallService {
  public:
   InstallService(ServicePlaces places, Folder& folder, const board::Board& board, LookForStick look,
@@ -39,21 +40,30 @@ class InstallService {
   // To be called every kPeriod: a step copies 1 MiB at most, so that the disk has time for others.
   void Step(Time now);
 
+  // Says on the board whether the list is open. Step does; to be called besides, some times a second, while
+  // Step is busy with a trial.
+  void KeepAlive(Time now);
+
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);
 
  private:
   // A stick came or went. Nothing of it is shown while a show is installed; the next look after that makes up
   // for it.
   void Look(Time now);
-  // The shows on the box to which one can go back: the one before, and the root's.
-  std::vector<Choosable> Before() const;
+  // Whether somebody checks lines, teaches or calibrates lips: presses are for that.
+  bool IsBusyElsewhere(Time now) const;
   // Tells the stage of the choice that was just made, and waits for it to play.
   void TellStage();
   // Says how it went on with what was installed last: the stage plays it, or gave it up.
   void FollowChosen();
-  // Lists what lies at the top of the stick, and says so; blocks for the stick.
-  void OfferAll(const std::filesystem::path& stick);
-  // Offers it, with the ways back below it, and gives how many of the stick are listed. Errors: those of ListShows.
+  // Lists what lies at the top of the stick, opens the list, and says so; blocks for the stick.
+  void OfferAll(const std::filesystem::path& stick, Time now);
+  // No stick is in: the shows that are on the box are left, for whoever opens the list.
+  void OfferBefore();
+  // As it is now, after a show came or another one was chosen.
+  void ListAnew();
+  // Offers it, with the ways back below it, and gives how many of the stick are listed. Errors: those of
+  // OffersOf.
   Result<std::size_t> List(const std::filesystem::path& stick);
   // What the menu gave: a show is begun, a key is kept at once.
   void Accept(const Choosable& taken);
@@ -65,6 +75,14 @@ class InstallService {
   void StepInstallation();
   // Says it on the screen, and in the log where it is another message than before.
   void Tell(Message message, const std::string& name = {}, const std::string& reason = {});
+  // The same of the stick that is in, with which it goes.
+  void TellOfStick(Message message, const std::string& reason = {});
+  // Writes what is said to the screen, with the list as it is.
+  void Show();
+  // Shows the list where it was opened, and takes it away where it was shut.
+  void FollowMenu(Time now);
+  // Of the choice that the stage was told of last, since the box was switched on; 0: of none.
+  std::uint64_t Told() const;
   show::PublicKeys Keys() const;
   // The show that plays; empty where the stage has said nothing.
   std::string Plays() const;
@@ -82,8 +100,17 @@ class InstallService {
   // What was chosen and has not been seen to play yet, and the frames of the board when the stage had begun it.
   std::optional<store::Choice> awaited_;
   std::optional<std::uint32_t> frames_at_begin_;
-  std::string told_;
-  std::optional<Message> said_;
+  // What is said.
+  struct Said {
+    Message message = Message::kPlugIn;
+    std::string name, detail;
+    bool of_stick = false;
+  };
+  std::optional<Said> said_;
+  std::string shown_;     // The text on the screen.
+  bool is_open_ = false;  // It shows the list.
+  bool has_looked_ = false;
+  std::optional<board::Writer<board::ShowsMenu>> on_board_;
 };
 
 }  // namespace kaori::shows

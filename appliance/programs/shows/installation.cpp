@@ -17,9 +17,8 @@
 namespace kaori::shows {
 namespace {
 
-// Neither name is an id or a choice, so that no reader of the folder ever takes either for one.
+// The name is no id and no choice, so that no reader of the folder ever takes it for one.
 constexpr const char* kIncoming = "incoming";
-constexpr const char* kNewChoice = "choice.new";
 
 // Read from front to back, once: what the header said and what is copied come from one open file, so that a
 // name that is given to another file meanwhile changes nothing.
@@ -87,35 +86,19 @@ Message MessageOf(const Error& error) {
   }
 }
 
-// Both are read each time: which of them counts is said by their generations alone.
-store::Choice ReadChoice(const Folder& folder) {
-  return store::Newer(folder.Read(store::kChoiceFiles[0]), folder.Read(store::kChoiceFiles[1]));
-}
-
-// Content, name, folder, in this order; a name that reached the disk before its content would be a torn
-// choice.
-Result<void> WriteChoice(Folder& folder, const store::Choice& choice) {
-  const std::string text = store::Format(choice);
-  auto draft = folder.Begin(kNewChoice);
-  if (!draft) return tl::unexpected(draft.error());
-  if (auto ok = (*draft)->Append(AsBytes(text)); !ok) return ok;
-  if (auto ok = (*draft)->Finish(); !ok) return ok;
-  if (auto ok = folder.Rename(kNewChoice, store::kChoiceFiles[choice.generation % 2]); !ok) return ok;
-  return folder.KeepNames();
-}
-
 void RemoveLeftovers(Folder& folder) {
   for (const char* name : {kIncoming, kNewChoice}) static_cast<void>(folder.Remove(name));
 }
 
 Installation::Installation(Folder& folder, std::unique_ptr<Source> source, show::PublicKeys keys, Trial trial,
-                           std::string plays)
+                           OnBox on_box)
     : folder_(folder),
       source_(std::move(source)),
       keys_(std::move(keys)),
       trial_(std::move(trial)),
       before_(ReadChoice(folder)),
-      plays_(plays.empty() ? before_.current : std::move(plays)) {}
+      plays_(on_box.plays.empty() ? before_.current : std::move(on_box.plays)),
+      told_(on_box.told) {}
 
 // One stage after the other, and none twice: each ends in the next or in kEnded.
 const Progress& Installation::Step() {
@@ -274,13 +257,25 @@ void Installation::TryIt() {
   stage_ = Stage::kSwitch;
 }
 
+// Else a folder that has a pack and no choice, since the power went between the two, would look as one whose
+// choice was lost.
+Result<void> Installation::BeginChoices() {
+  const auto names = folder_.Names();
+  if (!names) return tl::unexpected(names.error());
+  const bool has_packs =
+      std::ranges::any_of(*names, [](const std::string& name) { return name.ends_with(".kaori"); });
+  if (has_packs || HasChoice(folder_)) return {};
+  return WriteChoice(folder_, store::Choice());
+}
+
 // The pack has its name on the disk before the choice names it.
 void Installation::Switch() {
   if (!is_there_) {
+    if (auto ok = BeginChoices(); !ok) return RefuseFolder(ok.error());
     if (auto ok = folder_.Rename(kIncoming, store::PackName(id_)); !ok) return RefuseFolder(ok.error());
     if (auto ok = folder_.KeepNames(); !ok) return RefuseFolder(ok.error());
   }
-  if (auto ok = WriteChoice(folder_, {before_.generation + 1, id_, ShowBefore()}); !ok)
+  if (auto ok = WriteChoice(folder_, {store::NextGeneration(before_, told_), id_, ShowBefore()}); !ok)
     return RefuseFolder(ok.error());
   progress_.message = Message::kInstalled;
   stage_ = Stage::kEnded;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "appliance/core/show/pack_container.h"
-#include "appliance/core/store/choice.h"
+#include "appliance/programs/shows/choice_files.h"
 #include "appliance/programs/shows/folder.h"
 #include "appliance/programs/shows/messages.h"
 
@@ -43,14 +43,19 @@ struct Progress {
 // Judges the copy as a whole, by its path: the verifier, and a rehearsal. It was hashed already. Blocks.
 using Trial = std::function<Result<void>(const std::filesystem::path& pack)>;
 
+// What a new show is chosen beside.
+struct OnBox {
+  std::string plays{};     // The show that plays, where that is not the chosen one: an id or kRootShow.
+  std::uint64_t told = 0;  // The generation of the choice of which the stage was told last.
+};
+
 // One thread; the folder and the source must outlive it. Destroyed on the way it leaves nothing behind that
 // counts.
 class Installation {
  public:
-  // `keys` are those that the box trusts; `plays` is the show that plays, where that is not the chosen one:
-  // an id or kRootShow. Empty: the chosen one.
+  // `keys` are those that the box trusts.
   Installation(Folder& folder, std::unique_ptr<Source> source, show::PublicKeys keys, Trial trial,
-               std::string plays = {});
+               OnBox on_box = {});
 
   // Does the next piece of the work, 1 MiB of the copy at most, and says how it stands. To be called until
   // ended().
@@ -80,6 +85,8 @@ class Installation {
   Result<bool> MakeRoom(std::uint64_t bytes);
   // The packs that may go, in the order in which they do.
   Result<std::vector<std::string>> Removable() const;
+  // A folder that gets its first pack says before that nothing is chosen yet.
+  Result<void> BeginChoices();
   // What is played where the new show gives way.
   std::string ShowBefore() const;
 
@@ -91,6 +98,7 @@ class Installation {
   Progress progress_;
   store::Choice before_;
   std::string plays_;
+  std::uint64_t told_;
   show::PackSeal seal_;
   std::string id_;
   bool is_there_ = false;  // On the box and whole: it is chosen without a copy.
@@ -99,14 +107,6 @@ class Installation {
   show::Checksummer sum_;
   std::uint64_t copied_bytes_ = 0;  // Of the content, without the header.
 };
-
-// Writes the next choice, in the older of the two generations' files, and returns once it is on the disk: the
-// choice is then this one, whatever happens. Errors: those of the folder; then the choice before still
-// stands.
-Result<void> WriteChoice(Folder& folder, const store::Choice& choice);
-
-// The choice as the folder has it.
-store::Choice ReadChoice(const Folder& folder);
 
 // Removes what an installation left that was cut off: a copy that is half done takes the room of a show. What
 // cannot be removed stays for the next one, which replaces it.

@@ -4,6 +4,8 @@
 // One loop. What plays goes on meanwhile: a step copies little, and the trial of a show is another process,
 // both at the lowest priority that the unit gives them. The end of the program at any moment leaves the show
 // before.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -12,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "appliance/core/board/watch.h"
 #include "appliance/core/store/play_log.h"
 #include "appliance/programs/shows/install_service.h"
 #include "appliance/programs/shows/stick.h"
@@ -32,6 +35,7 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --root-keys FOLDER public keys of the house (/usr/share/kaori/keys)
   --keys FOLDER      public keys that were brought to the box (/var/lib/kaori/settings/keys)
   --stage PROGRAM    tries a show (/usr/bin/kaori-stage)
+  --trial-user NAME  as whom it does that where this program is root's (kaori-trial)
   --board FILE       the board, from which keys and switches are read (/run/kaori/board)
   --open FILE        is there while the service key is on; the program ends when it is gone (/run/kaori-service/open)
   --report FOLDER    what is said to the screen and to the stage (/run/kaori-shows)
@@ -43,8 +47,8 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
 struct Settings {
   std::string shows = "/var/lib/kaori/shows", root_keys = "/usr/share/kaori/keys",
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
-              board = "/run/kaori/board", open = "/run/kaori-service/open", report = "/run/kaori-shows",
-              stick = "/run/kaori-stick", install;
+              trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
+              report = "/run/kaori-shows", stick = "/run/kaori-stick", install;
   bool plugged = false;
 };
 
@@ -110,11 +114,25 @@ class Sticks {
   std::optional<kaori::shows::StickMount> mount_;
 };
 
-// A trial ends where it is not wanted any more; null: never.
-kaori::shows::Trial TrialBy(const Settings& settings, std::function<bool()> wanted = {}) {
-  return [stage = settings.stage, wanted = std::move(wanted)](const fs::path& pack) {
-    return kaori::shows::TryPack(stage, pack, kaori::shows::kLongestTrial, wanted);
+kaori::shows::Trial TrialBy(const Settings& settings, const kaori::shows::TrialTerms& terms = {}) {
+  return [stage = settings.stage, terms](const fs::path& pack) {
+    return kaori::shows::TryPack(stage, pack, terms);
   };
+}
+
+// Nobody else's rights are asked for where this program has none. Errors: those of FindUser.
+kaori::Result<std::optional<kaori::shows::TrialUser>> TrialUserOf(const Settings& settings) {
+  using User = std::optional<kaori::shows::TrialUser>;
+  if (::geteuid() != 0) return User();
+  return kaori::shows::FindUser(settings.trial_user).map([](const auto& user) { return User(user); });
+}
+
+// Where a trial keeps the shaders that it compiles: whoever it is run as makes files there, as in /tmp. No
+// other program of the box may write to /run.
+void MakeTrialFolder(const std::string& report) {
+  std::error_code none;
+  fs::create_directories(fs::path(report) / "trial", none);
+  fs::permissions(fs::path(report) / "trial", fs::perms::all | fs::perms::sticky_bit, none);
 }
 
 // For a laptop's test, and for whoever has the disk in another computer.
@@ -140,30 +158,40 @@ int Install(const Settings& settings) {
 // Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for
 // the screen go with it; `chosen` stays, since the stage compares it with what it plays.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
+  const auto user = TrialUserOf(settings);
+  if (!user) return kaori::ExitWithError(user.error());
   if (auto ok = kaori::shows::KeepRightsToOurselves(); !ok) return kaori::ExitWithError(ok.error());
-  const auto board = kaori::board::Board::Open(settings.board);
+  auto board = kaori::board::Board::Open(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   std::error_code none;
   for (const std::string& folder : {settings.shows, settings.report, settings.stick})
     fs::create_directories(folder, none);
+  MakeTrialFolder(settings.report);
   const auto folder = kaori::shows::OpenFolder(settings.shows);
   Sticks sticks(settings.stick);
   const auto look = [&]() -> kaori::Result<std::optional<fs::path>> {
     if (settings.plugged) return std::optional<fs::path>(settings.stick);
     return sticks.Look();
   };
+  const kaori::SteadyClock clock;
+  kaori::shows::InstallService* running = nullptr;
   const auto is_open = [&settings] {
     std::error_code gone;
     return fs::exists(settings.open, gone);
   };
+  const auto wanted = [&] {
+    running->KeepAlive(clock.now());
+    return is_open();
+  };
   const auto plays = kaori::store::PlayLogBeside(settings.board);
   kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
-                                       *board, look, TrialBy(settings, is_open));
-  const kaori::SteadyClock clock;
+                                       *board, look, TrialBy(settings, {.wanted = wanted, .user = *user}));
+  running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();
     service.Step(clock.now());
   };
+  if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   kaori::Log("the service key is on: shows can be brought in");
   const auto ran = loop.RunEvery(kaori::shows::InstallService::kPeriod, step);
   fs::remove(fs::path(settings.report) / "lines", none);
@@ -182,6 +210,7 @@ int main(int argc, char** argv) {
       .Text("--root-keys", settings.root_keys)
       .Text("--keys", settings.keys)
       .Text("--stage", settings.stage)
+      .Text("--trial-user", settings.trial_user)
       .Text("--board", settings.board);
   options.Text("--open", settings.open)
       .Text("--report", settings.report)

@@ -25,7 +25,12 @@ void Menu::Offer(std::vector<Choosable> choices, std::size_t left_out) {
   choices_ = std::move(choices);
   left_out_ = left_out;
   marked_ = 0;
+  if (choices_.empty()) Shut();
   ForgetPresses();
+}
+
+void Menu::Open(Time now) {
+  if (!choices_.empty()) open_until_ = now + kNobodyChooses;
 }
 
 void Menu::ForgetPresses() {
@@ -35,8 +40,10 @@ void Menu::ForgetPresses() {
 }
 
 // Of several presses since the last look the first that takes something counts, and the arrows before it.
-std::optional<std::size_t> Menu::ReadKeys(const board::Stamped<board::Keys>& keys) {
-  for (const std::uint32_t code : Since(keys_seen_, keys.value.log)) {
+std::optional<std::size_t> Menu::ReadKeys(const std::vector<std::uint32_t>& codes, Time now) {
+  for (const std::uint32_t code : codes) {
+    if (code == board::key::kPageUp) IsOpen(now) ? Shut() : Open(now);
+    if (!IsOpen(now)) continue;
     if (code >= board::key::k1 && code < board::key::k1 + choices_.size()) return code - board::key::k1;
     if (code == board::key::kEnter || code == board::key::kPadEnter) return marked_;
     if (code == board::key::kDown && marked_ + 1 < choices_.size()) ++marked_;
@@ -46,34 +53,41 @@ std::optional<std::size_t> Menu::ReadKeys(const board::Stamped<board::Keys>& key
 }
 
 // The buttons of the first row, from the left, are the numbers of the list.
-std::optional<std::size_t> Menu::ReadButtons(const board::Stamped<board::Surface>& surface) {
-  for (const std::uint32_t code : Since(buttons_seen_, surface.value.log))
+std::optional<std::size_t> Menu::ReadButtons(const std::vector<std::uint32_t>& codes) const {
+  for (const std::uint32_t code : codes)
     if (code < choices_.size()) return code;
   return std::nullopt;
 }
 
-// The foot switch has no log: it counts its pushes, and any number of them since the last look is one.
-std::optional<std::size_t> Menu::ReadGo(const board::Stamped<board::Lines>& lines) {
-  const std::uint32_t pushes = lines.value.pushes[static_cast<std::size_t>(board::Line::kGo)];
-  return std::exchange(go_seen_, pushes).value_or(pushes) == pushes ? std::nullopt : std::optional(marked_);
-}
-
-// A press that takes something marks it too, so that the screen shows what was meant.
-// All three are read at each look, so that none counts a press of long ago.
+// A press that takes something marks it too, so that the screen shows what was meant. Keys, buttons and the
+// foot switch are read at each look, so that none counts a press of long ago. The foot switch has no log: it
+// counts its pushes, and any number of them since the last look is one.
 std::optional<Choosable> Menu::Read(const board::Stamped<board::Keys>& keys,
                                     const board::Stamped<board::Surface>& surface,
-                                    const board::Stamped<board::Lines>& lines) {
-  const auto by_key = ReadKeys(keys), by_button = ReadButtons(surface), by_go = ReadGo(lines);
-  const auto taken = by_key ? by_key : by_button ? by_button : by_go;
-  if (!taken || *taken >= choices_.size()) return std::nullopt;
-  marked_ = *taken;
-  return choices_[*taken];
+                                    const board::Stamped<board::Lines>& lines, Time now) {
+  const auto struck = Since(keys_seen_, keys.value.log), pushed = Since(buttons_seen_, surface.value.log);
+  const std::uint32_t pushes = lines.value.pushes[static_cast<std::size_t>(board::Line::kGo)];
+  const bool go = std::exchange(go_seen_, pushes).value_or(pushes) != pushes;
+  if (IsOpen(now) && (go || !struck.empty() || !pushed.empty())) Open(now);
+  const bool was_open = IsOpen(now);
+  const auto by_key = ReadKeys(struck, now), by_button = ReadButtons(pushed);
+  const std::size_t nothing = choices_.size();
+  const std::size_t taken = by_key.value_or(by_button.value_or(go ? marked_ : nothing));
+  if (!was_open || !IsOpen(now) || taken >= nothing) return std::nullopt;
+  marked_ = taken;
+  return choices_[taken];
 }
 
-// The list stays below each message, so that the next one can be taken while the last result is read.
+// The list stays below each message, so that the next one can be taken while the last result is read. One
+// that is shut is not shown: what it says would not be so.
 std::vector<std::string> Menu::Lines(Message message, Language language, const std::string& name,
-                                     const std::string& detail) const {
+                                     const std::string& detail, bool open) const {
   std::vector<std::string> lines{Say(message, language, name, detail)};
+  if (!open) {
+    if (!choices_.empty() && message != Message::kShut)
+      lines.emplace_back("  " + std::string(Words(Message::kShut, language)));
+    return lines;
+  }
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const Choosable& choice = choices_[i];
     const char* kind = choice.kind == Choosable::Kind::kKey ? "key " : "";

@@ -10,6 +10,7 @@
 #include "appliance/core/board/sections.h"
 #include "appliance/programs/shows/messages.h"
 #include "appliance/programs/shows/stick.h"
+#include "drivers/base/clock.h"
 
 namespace kaori::shows {
 
@@ -24,34 +25,49 @@ struct Choosable {
 };
 
 // Pure but for what it remembers. One thread.
+//
+// The list is open or shut. It opens when a stick comes, and by the key Page Up; it shuts by Page Up, and
+// when nobody has pressed anything for kNobodyChooses: a box that was left with its service key on must play
+// the show. While it is open every press is its own, and the show hears PANIC and BLACKOUT alone
+// (programs/stage/service_modes.h).
 class Menu {
  public:
+  static constexpr Duration kNobodyChooses = std::chrono::minutes(2);
+
   // What can be taken from now on; the first is marked. Presses from before count no more. `left_out` more lie
   // on the stick, which have no number.
   void Offer(std::vector<Choosable> choices, std::size_t left_out = 0);
+
+  // A list without anything in it stays shut.
+  void Open(Time now);
+  void Shut() { open_until_.reset(); }
+  bool IsOpen(Time now) const { return open_until_ && now < *open_until_; }
+  bool empty() const { return choices_.empty(); }
 
   // What can be taken stays; presses from before count no more.
   void ForgetPresses();
 
   // Looks at the board: a press of a key or button 1 to 8 takes that one; arrow keys move the mark; GO and
-  // Enter take the marked one. The result is taken now; nothing where nobody took anything.
+  // Enter take the marked one; Page Up opens the list and shuts it. The result is taken now; nothing where
+  // nobody took anything.
   std::optional<Choosable> Read(const board::Stamped<board::Keys>& keys,
                                 const board::Stamped<board::Surface>& surface,
-                                const board::Stamped<board::Lines>& lines);
+                                const board::Stamped<board::Lines>& lines, Time now);
 
-  // The lines for a screen, in one language: the message, and below it what can be chosen.
-  std::vector<std::string> Lines(Message message, Language language, const std::string& name = {},
-                                 const std::string& detail = {}) const;
+  // The lines for a screen, in one language: the message, and below it what can be chosen, or, where the list
+  // is shut, how it is opened.
+  std::vector<std::string> Lines(Message message, Language language, const std::string& name,
+                                 const std::string& detail, bool open) const;
 
  private:
-  // The number, from 0, of what a press took; nothing where it took nothing or only moved the mark.
-  std::optional<std::size_t> ReadKeys(const board::Stamped<board::Keys>& keys);
-  std::optional<std::size_t> ReadButtons(const board::Stamped<board::Surface>& surface);
-  std::optional<std::size_t> ReadGo(const board::Stamped<board::Lines>& lines);
+  // The number, from 0, of what presses took; nothing where they took nothing or only moved the mark.
+  std::optional<std::size_t> ReadKeys(const std::vector<std::uint32_t>& codes, Time now);
+  std::optional<std::size_t> ReadButtons(const std::vector<std::uint32_t>& codes) const;
 
   std::vector<Choosable> choices_;
   std::size_t left_out_ = 0;
   std::size_t marked_ = 0;
+  std::optional<Time> open_until_;
   // Counters as they stood at the last look; nothing before the first.
   std::optional<std::uint32_t> keys_seen_, buttons_seen_, go_seen_;
 };

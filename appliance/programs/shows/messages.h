@@ -13,6 +13,7 @@ namespace kaori::shows {
 enum class Message : std::uint8_t {
   kPlugIn,        // The stick was taken out before anything was taken.
   kNoShow,        // There is no show on the stick.
+  kShut,          // The list is shut: how it is opened.
   kChoose,        // Several are there, or one: which one is to be taken?
   kCopying,       // On the way.
   kTrying,        // Checked; its scenes are drawn once.
@@ -36,7 +37,7 @@ enum class Message : std::uint8_t {
   kUnplayable,  // It is whole and trusted, and does not play.
   kKeyOff,      // The service key was turned back on the way.
 };
-inline constexpr std::size_t kMessageCount = 24;
+inline constexpr std::size_t kMessageCount = 25;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

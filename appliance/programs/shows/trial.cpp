@@ -1,8 +1,10 @@
 #include "appliance/programs/shows/trial.h"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <linux/capability.h>
 #include <poll.h>
+#include <pwd.h>
 #include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -10,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csignal>
 
+#include "drivers/base/log.h"
 #include "drivers/base/unique_fd.h"
 
 extern char** environ;  // NOLINT: POSIX declares it so.
@@ -28,9 +32,36 @@ struct Child {
   UniqueFd says;
 };
 
-// Its standard output stays ours, and goes to the log as it does on a laptop. Errors: those of pipe2(2) and
-// posix_spawn(3).
-Result<Child> Spawn(const std::string& program, const std::string& pack) {
+// While it lives the process's real ids are those of the trial's user: a child that is spawned with
+// POSIX_SPAWN_RESETIDS takes them for all of its ids when it starts its program, and has no right then; and a
+// process of that user may be sent a signal. What this process may do is said by its other ids, which stay.
+class LentIds {
+ public:
+  explicit LentIds(const std::optional<TrialUser>& user) : is_other_(user.has_value()) {
+    if (user && (::setresgid(user->group, kSame, kSame) < 0 || ::setresuid(user->user, kSame, kSame) < 0))
+      failed_ = errno;
+  }
+  ~LentIds() {
+    if (is_other_ && (::setresuid(user_, kSame, kSame) < 0 || ::setresgid(group_, kSame, kSame) < 0))
+      LogError("this program goes on under the user of the trial");
+  }
+  LentIds(const LentIds&) = delete;
+  LentIds& operator=(const LentIds&) = delete;
+  // Of setresuid(2); 0: they are lent.
+  int failed() const { return failed_; }
+
+ private:
+  static constexpr auto kSame = static_cast<uid_t>(-1);
+  const uid_t user_ = ::getuid();
+  const gid_t group_ = ::getgid();
+  const bool is_other_;
+  int failed_ = 0;
+};
+
+// Its standard output stays ours, and goes to the log as it does on a laptop. Errors: those of pipe2(2),
+// setresuid(2) and posix_spawn(3).
+Result<Child> Spawn(const std::string& program, const std::string& pack,
+                    const std::optional<TrialUser>& user) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) < 0) return FailErrno("start " + program);
   Child child{.pid = -1, .says = UniqueFd(ends[0])};
@@ -46,13 +77,29 @@ Result<Child> Spawn(const std::string& program, const std::string& pack) {
   sigset_t none;
   ::sigemptyset(&none);
   ::posix_spawnattr_setsigmask(&attributes, &none);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  const int failed =
-      ::posix_spawn(&child.pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_setflags(&attributes,
+                             static_cast<short>(POSIX_SPAWN_SETSIGMASK | (user ? POSIX_SPAWN_RESETIDS : 0)));
+  int failed = 0;
+  {
+    const LentIds ids(user);
+    failed = ids.failed();
+    if (failed == 0)
+      failed = ::posix_spawn(&child.pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
+  }
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) return Fail(static_cast<std::errc>(failed), "start " + program);
   return child;
+}
+
+// A process of another user is sent a signal by that user alone, or with a right that this one has not.
+void Kill(const Child& child, const std::optional<TrialUser>& user) {
+  {
+    const LentIds ids(user);
+    ::kill(child.pid, SIGKILL);
+  }
+  while (::waitpid(child.pid, nullptr, 0) < 0 && errno == EINTR) {
+  }
 }
 
 // How long to listen.
@@ -104,10 +151,19 @@ std::string LastLine(std::string text) {
 
 }  // namespace
 
+// getpwnam(3) keeps its answer in the library's memory: this is the one thread that asks.
+Result<TrialUser> FindUser(const std::string& name) {
+  const passwd* user = ::getpwnam(name.c_str());
+  if (user == nullptr) return FailInput("there is no user " + name);
+  return TrialUser{user->pw_uid, user->pw_gid};
+}
+
 // A program of root's gets, when it is started, all rights of the bounding set (capabilities(7)); those that
-// this process has already stay with it, so that it can drop both and mount all the same.
+// this process has already stay with it, so that it can drop them and mount all the same.
 Result<void> KeepRightsToOurselves() {
-  for (const unsigned long right : {CAP_SYS_ADMIN, CAP_SETPCAP}) {
+  if (::prctl(PR_CAPBSET_READ, CAP_SETGID) == 1 && ::geteuid() == 0 && ::setgroups(0, nullptr) < 0)
+    return FailErrno("leave the groups of root");
+  for (const unsigned long right : {CAP_SYS_ADMIN, CAP_SETUID, CAP_SETGID, CAP_SETPCAP}) {
     if (::prctl(PR_CAPBSET_READ, right) != 1) continue;
     if (::prctl(PR_CAPBSET_DROP, right) < 0 && ::geteuid() == 0)
       return FailErrno("take the right to mount from what is started");
@@ -115,17 +171,14 @@ Result<void> KeepRightsToOurselves() {
   return {};
 }
 
-Result<void> TryPack(const std::string& stage, const std::filesystem::path& pack, Duration longest,
-                     const std::function<bool()>& wanted) {
-  auto child = Spawn(stage, pack.string());
+Result<void> TryPack(const std::string& stage, const std::filesystem::path& pack, const TrialTerms& terms) {
+  auto child = Spawn(stage, pack.string(), terms.user);
   if (!child) return tl::unexpected(child.error());
-  const Patience patience{SteadyClock().now() + longest, wanted};
+  const Patience patience{SteadyClock().now() + terms.longest, terms.wanted};
   const auto heard = Listen(child->says, patience);
   const auto status = heard ? AwaitEnd(child->pid, patience) : tl::unexpected(heard.error());
   if (!status) {
-    ::kill(child->pid, SIGKILL);
-    while (::waitpid(child->pid, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    Kill(*child, terms.user);
     return tl::unexpected(status.error());
   }
   if (WIFSIGNALED(*status))

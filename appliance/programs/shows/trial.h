@@ -2,8 +2,11 @@
 // pack does to that process, it is gone afterwards.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "drivers/base/clock.h"
@@ -15,16 +18,33 @@ namespace kaori::shows {
 // Whoever does not want to wait turns the key back.
 inline constexpr Duration kLongestTrial = std::chrono::minutes(30);
 
-// The right to mount is this process's alone from now on: what it starts gets neither that nor any other. To
-// be called before the first trial; where the process has no rights to give it does nothing. Errors: those of
-// prctl(2).
+// Whom a trial is run as: a user who owns nothing. The process that asks for it has CAP_SETUID and
+// CAP_SETGID.
+struct TrialUser {
+  uid_t user = 0;
+  gid_t group = 0;
+};
+
+// Errors: invalid_argument, the system has no user of this name.
+Result<TrialUser> FindUser(const std::string& name);
+
+// Rights and groups of this process are its alone from now on: what it starts gets none of them. To be called
+// before the first trial; where the process has no rights to give it does nothing. Errors: those of prctl(2)
+// and setgroups(2).
 Result<void> KeepRightsToOurselves();
 
-// Runs `stage` --rehearse `pack` and waits for its end, `longest` at most, and while `wanted`, which is asked
-// ten times a second, says so (null: always); then it is killed. Errors:
+// How a trial is run.
+struct TrialTerms {
+  Duration longest = kLongestTrial;
+  std::function<bool()> wanted{};   // Asked ten times a second; null: always.
+  std::optional<TrialUser> user{};  // Nobody: as this process.
+};
+
+// Runs `stage` --rehearse `pack` and waits for its end, as long as the terms say; then it is killed. Errors:
 //   invalid_argument  it says that the show does not play: its own last line
-//   timed_out, operation_canceled (not wanted any more), those of posix_spawn(3); interrupted (a signal ended it)
+//   timed_out, operation_canceled (not wanted any more), those of setresuid(2) and posix_spawn(3);
+//   interrupted (a signal ended it)
 Result<void> TryPack(const std::string& stage, const std::filesystem::path& pack,
-                     Duration longest = kLongestTrial, const std::function<bool()>& wanted = {});
+                     const TrialTerms& terms = {});
 
 }  // namespace kaori::shows

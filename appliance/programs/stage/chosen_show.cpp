@@ -1,7 +1,6 @@
 #include "appliance/programs/stage/chosen_show.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "appliance/core/roles/level_names.h"
@@ -9,8 +8,6 @@
 #include "appliance/core/store/choice.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/log.h"
-#include "drivers/base/number.h"
-#include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::stage {
@@ -20,14 +17,6 @@ void WritePlayLog(const ShowPlaces& places, const store::PlayLog& log) {
   if (places.play_log.empty()) return;
   const std::string text = store::Format(log);
   if (auto ok = WriteWholeFile(places.play_log, {AsBytes(text)}); !ok) LogWarning("{}", ok.error().message());
-}
-
-// 0 where kaori-shows has said nothing.
-std::uint64_t ReadChosen(const std::filesystem::path& file) {
-  constexpr std::size_t kMostNumber_bytes = 32;
-  const auto text = ReadFile(file, {.most_bytes = kMostNumber_bytes});
-  if (!text) return 0;
-  return ParseNumber<std::uint64_t>(std::string_view(*text).substr(0, text->find('\n'))).value_or(0);
 }
 
 // Keys of the root are the house's, those of the data partition a theatre's.
@@ -49,9 +38,9 @@ Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places) {
   return ChosenShow{.show = std::move(*show), .id = id, .pack = std::move(pack)};
 }
 
-// A folder that holds packs had a choice once: both of its files are gone or torn.
-void TellOfLostChoice(const ShowPlaces& places, const store::Choice& choice) {
-  if (choice.generation > 0) return;
+// A folder that holds packs has had a choice since before its first one: both of its files are gone or torn.
+void TellOfLostChoice(const ShowPlaces& places) {
+  if (store::HasChoice(places.shows)) return;
   const auto files = ListFolder(places.shows);
   if (!files || !std::ranges::any_of(*files, [](const auto& file) { return file.extension() == ".kaori"; }))
     return;
@@ -68,9 +57,9 @@ Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
   if (places.shows.empty()) return Load(std::string(store::kRootShow), places);
   // Before the choice: what comes between the two is followed, and a choice that the disk has lost is not
   // waited for.
-  const std::uint64_t told = ReadChosen(places.chosen);
+  const std::uint64_t told = store::ReadTold(places.chosen);
   const store::Choice choice = store::ReadChoice(places.shows);
-  TellOfLostChoice(places, choice);
+  TellOfLostChoice(places);
   store::PlayLog log = store::Started(store::ReadPlayLog(places.play_log), choice, now);
   for (const std::string& id : log.given_up)
     LogWarning("the show {} ended the stage {} times too soon and gives way to the one before it", id,
@@ -121,7 +110,7 @@ bool ShowWatch::IsOver(Time now) {
     log.settled = !log.playing.empty();
     WritePlayLog(places_, log);
   }
-  return ReadChosen(places_.chosen) > generation_;
+  return store::ReadTold(places_.chosen) > generation_;
 }
 
 }  // namespace kaori::stage

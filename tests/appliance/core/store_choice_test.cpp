@@ -38,6 +38,15 @@ TEST(Choice, OfTheHigherGenerationCountsAndAnOlderOneWhereThatIsTorn) {
   EXPECT_EQ(Newer("", ""), Choice());
 }
 
+// What a stage was told of, and the disk has lost, is passed too: else the stage would wait for ever.
+TEST(Choice, GetsAGenerationAboveAllThatWasToldAndNeverTheNewerFile) {
+  EXPECT_EQ(NextGeneration({}, 0), 1U);
+  EXPECT_EQ(NextGeneration({.generation = 4}, 4), 5U);
+  EXPECT_EQ(NextGeneration({}, 7), 8U);
+  EXPECT_EQ(NextGeneration({.generation = 5}, 6), 8U) << "7 would be written over 5";
+  EXPECT_EQ(NextGeneration({.generation = 5}, 2), 6U);
+}
+
 TEST(Choice, IsFollowedByWhatPlayedBeforeAndByTheRootsShow) {
   EXPECT_THAT(InOrder({2, kA, kB}), ElementsAre(kA, kB, kRoot));
   EXPECT_THAT(InOrder({1, kA, kRoot}), ElementsAre(kA, kRoot));

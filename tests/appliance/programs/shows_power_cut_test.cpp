@@ -66,6 +66,25 @@ TEST_F(PowerCut, WouldSpoilAShowWhoseContentIsNotKept) {
   EXPECT_THAT(FaultsOfAllCuts(states), ::testing::Not(::testing::IsEmpty()));
 }
 
+// Packs without a choice are those of a folder whose choice the disk has lost, and are told of as such.
+TEST_F(PowerCut, OfTheFirstInstallationLeavesNoPackWithoutAChoice) {
+  int packs = 0;
+  bool cut = true;
+  for (int step = 0; cut; ++step) {
+    SimulatedFolder folder;
+    folder.steps_left = step;
+    cut = Install(folder, first_).message != Message::kInstalled;
+    for (std::size_t changes = 0; changes <= folder.pending(); ++changes)
+      for (const Torn torn : {Torn::kEmpty, Torn::kHalf, Torn::kWhole, Torn::kZeros}) {
+        const SimulatedFolder after = folder.AfterCut(changes, torn);
+        const bool has_pack = after.BytesOf(store::PackName(IdOf(first_))) > 0;
+        packs += has_pack ? 1 : 0;
+        EXPECT_TRUE(!has_pack || HasChoice(after)) << "step " << step << ", " << changes << " changes";
+      }
+  }
+  EXPECT_GE(packs, 4);
+}
+
 // A disk that fails for good, at each step.
 TEST_F(PowerCut, IsNoWorseThanADiskThatCannotBeWritten) {
   SimulatedFolder folder = folder_;

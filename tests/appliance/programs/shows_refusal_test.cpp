@@ -134,9 +134,8 @@ TEST_F(BadShow, WhatPlaysIsKeptThoughAnotherOneIsChosen) {
   const Bytes third = PackOf("gala", &company_);
   folder_.capacity_bytes =
       first_.size() + second_.size() + third.size() + Installation::kReserve_bytes + 2000;
-  Installation installation(
-      folder_, std::make_unique<SimulatedSource>(third), keys_,
-      [](const auto&) -> Result<void> { return {}; }, IdOf(first_));
+  Installation installation(folder_, std::make_unique<SimulatedSource>(third), keys_,
+                            [](const auto&) -> Result<void> { return {}; }, {.plays = IdOf(first_)});
   while (!installation.ended()) installation.Step();
   EXPECT_EQ(ReadChoice(folder_), (store::Choice{3, IdOf(third), IdOf(first_)}));
 }
@@ -157,9 +156,8 @@ TEST_F(BadShow, TheOneThatPlaysIsNotRemovedWhereTheKeyIsTurnedBackWhileItIsLooke
 TEST_F(BadShow, TheOneThatPlaysInPlaceOfTheChosenOneIsNotRemovedForACopyOfItself) {
   Install(folder_, second_);
   folder_.capacity_bytes = first_.size() + second_.size() + Installation::kReserve_bytes + 2000;
-  Installation installation(
-      folder_, std::make_unique<SimulatedSource>(first_, std::size_t{1000}), keys_,
-      [](const auto&) -> Result<void> { return {}; }, IdOf(first_));
+  Installation installation(folder_, std::make_unique<SimulatedSource>(first_, std::size_t{1000}), keys_,
+                            [](const auto&) -> Result<void> { return {}; }, {.plays = IdOf(first_)});
   while (!installation.ended()) installation.Step();
   EXPECT_EQ(folder_.Content(store::PackName(IdOf(first_))), first_) << "it plays";
   EXPECT_EQ(ReadChoice(folder_), (store::Choice{3, IdOf(first_), std::string(store::kRootShow)}));

@@ -42,6 +42,11 @@ class ServiceTest : public tests::PackTest {
     std::ofstream(folder_ / "plays") << store::Format(log);
   }
   void Present(std::uint32_t frames) { stage_.Write({.frames = frames}, now_, board::SourceState::kLive); }
+  void NoteThatTold(std::uint64_t generation) {
+    std::ofstream(folder_ / "report" / "chosen") << generation << "\n";
+  }
+  // Whether the show hears what is pressed.
+  bool IsOpen() const { return board_.Read<board::ShowsMenu>().value.open != 0; }
   std::string Play(Duration time) {
     for (const Time end = now_ + time; now_ < end; now_ += InstallService::kPeriod) service_.Step(now_);
     return ReadFile(folder_ / "report" / "lines").value_or("");

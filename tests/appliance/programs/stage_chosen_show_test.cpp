@@ -67,6 +67,15 @@ TEST_F(ChosenShowTest, ThatIsLostIsSaidToBeWhereTheFolderHoldsShows) {
   EXPECT_THAT(said(), ::testing::HasSubstr("which one is to be played is lost"));
 }
 
+TEST_F(ChosenShowTest, IsNotSaidToBeLostWhereAFirstInstallationWasCutOff) {
+  const std::string text = store::Format(store::Choice());
+  EXPECT_TRUE(WriteWholeFile(folder_ / "shows" / store::kChoiceFiles[0], {AsBytes(text)}));
+  PutShow('a', "evening", &company_);
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Played(), "of the root");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(ChosenShowTest, IsTheChosenOneAndAnotherThanBeforeOnce) {
   EXPECT_EQ(Played(), "of the root");
   NoteOrderlyEnd(places_);

@@ -43,7 +43,8 @@ USERADD_PARAM:${PN} = "--system --no-create-home --shell /sbin/nologin --user-gr
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-input; \
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-lips; \
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-fdkeeper; \
-                       --system --no-create-home --shell /sbin/nologin --user-group kaori-surface"
+                       --system --no-create-home --shell /sbin/nologin --user-group kaori-surface; \
+                       --system --no-create-home --shell /sbin/nologin --user-group kaori-trial"
 
 SYSTEMD_SERVICE:${PN} = "kaori.target"
 

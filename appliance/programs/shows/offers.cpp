@@ -1,0 +1,59 @@
+#include "appliance/programs/shows/offers.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "appliance/programs/shows/choice_files.h"
+
+namespace kaori::shows {
+namespace {
+
+constexpr std::size_t kRoomForKeys = 2;  // In a list that has more shows than it has numbers.
+
+// As people compare it with what a stick holds: decimal, without a fraction.
+std::string Megabytes(std::uint64_t bytes) {
+  return fmt::format("{:.0f} MB", static_cast<double>(bytes) * 1e-6);
+}
+
+}  // namespace
+
+// A pack that was removed to make room is no show to go back to.
+std::vector<Choosable> WaysBack(const Folder& shows) {
+  const store::Choice choice = ReadChoice(shows);
+  std::vector<Choosable> ways;
+  const auto offer = [&](const char* name, std::string id) {
+    ways.push_back({.kind = Choosable::Kind::kBack,
+                    .offer = {.file = {}, .name = name},
+                    .remark = {},
+                    .id = std::move(id)});
+  };
+  if (choice.previous != choice.current && shows.BytesOf(store::PackName(choice.previous)) > 0)
+    offer("back to the show before", choice.previous);
+  if (choice.current != store::kRootShow) offer("back to the box's own show", std::string(store::kRootShow));
+  return ways;
+}
+
+// Shows first, so that their numbers do not depend on the keys beside them; of many shows some have to give
+// their numbers to keys, without which they might not be trusted. A file that holds no key is not offered.
+Result<Offered> OffersOf(const std::filesystem::path& stick, const Folder& shows) {
+  const auto packs = ListShows(stick), keys = ListKeys(stick);
+  if (!packs || !keys) return tl::unexpected((!packs ? packs : keys).error());
+  std::vector<Choosable> choices, of_keys;
+  for (const auto& offer : *packs) choices.push_back({Choosable::Kind::kShow, offer, Megabytes(offer.bytes)});
+  for (const auto& offer : *keys)
+    if (const auto key = show::ReadPublicKey(offer.file))
+      of_keys.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});
+  const std::vector<Choosable> back = WaysBack(shows);
+  const std::size_t all = choices.size() + of_keys.size(), numbers = kMostChoices - back.size();
+  choices.resize(std::min(choices.size(), numbers - std::min(of_keys.size(), kRoomForKeys)));
+  of_keys.resize(std::min(of_keys.size(), numbers - choices.size()));
+  choices.insert(choices.end(), of_keys.begin(), of_keys.end());
+  const std::size_t of_stick = choices.size();
+  choices.insert(choices.end(), back.begin(), back.end());
+  return Offered{std::move(choices), of_stick, all - of_stick};
+}
+
+}  // namespace kaori::shows

@@ -1,0 +1,28 @@
+// What can be taken: the shows and keys of a stick, and the shows of the box to which one can go back.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "appliance/programs/shows/folder.h"
+#include "appliance/programs/shows/menu.h"
+#include "drivers/base/result.h"
+
+namespace kaori::shows {
+
+// A list, in the order of its numbers.
+struct Offered {
+  std::vector<Choosable> choices;
+  std::size_t of_stick = 0;  // So many of them, the first ones, are shows and keys of the stick.
+  std::size_t left_out = 0;  // So many more lie on it, which have no number.
+};
+
+// The shows on the box to which one can go back: the one before the chosen one, where it is still there, and
+// the root's. Blocks for the disk.
+std::vector<Choosable> WaysBack(const Folder& shows);
+
+// What lies at the top of the stick, and the ways back below it. Blocks for the stick. Errors: those of
+// ListShows.
+Result<Offered> OffersOf(const std::filesystem::path& stick, const Folder& shows);
+
+}  // namespace kaori::shows
