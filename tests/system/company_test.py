@@ -17,6 +17,8 @@ NEWER = 99
 VERSION_AT = 8
 TOO_LARGE_BYTES = 2 << 30
 REFUSED = 1
+JOURNAL_BYTES = 16 << 20  # As text it is longer than on the disk, where it is packed.
+MOST_SUPPORT_KB = 5 << 10
 
 
 def install(programs, box, pack):
@@ -28,6 +30,25 @@ def install(programs, box, pack):
 def chosen(box):
     texts = [path.read_text() for path in sorted((box / "shows").glob("choice.*"))]
     return max(texts, key=lambda text: int(re.search(r"generation (\d+)", text)[1]), default="")
+
+
+def support_file_kb(programs, box, faults):
+    """How large a support file gets on a box whose journal is full, and that no secret of the settings is in it."""
+    (box / "brought").mkdir()
+    (box / "box.toml").write_text('profile = "stage"\n[network]\npassword = "hunter2"\n')
+    journal = box / "journalctl"
+    journal.write_text(f"#!/bin/sh\nyes 2026-11-23T22:10:05+0900 kaori-stage: the show has 60 frames a second | head -c {JOURNAL_BYTES}\n")
+    journal.chmod(0o755)
+    done = subprocess.run([programs / "kaori-shows", "--support", box / "stick", "--shows", box / "shows", "--keys", box / "brought",
+                           "--board", box / "board", "--journalctl", journal], capture_output=True, text=True, check=False)
+    file = box / "stick" / done.stdout.strip()
+    text = file.read_text() if done.returncode == 0 else ""
+    if "== Journal ==" not in text or 'profile = "stage"' not in text or "hunter2" in text:
+        faults.append(f"the support file is not what it should be: {done.stderr}{text[:1000]}")
+    size_kb = len(text) / 1024
+    if not 0 < size_kb <= MOST_SUPPORT_KB:
+        faults.append(f"the support file has {size_kb} KiB")
+    return round(size_kb)
 
 
 def changed(good, name, change):
@@ -93,8 +114,10 @@ def main():
         left = {path.name for path in (box / "shows").iterdir()}
         if left != {f"{identity[1] if identity else ''}.kaori", "choice.0", "choice.1"}:
             faults.append(f"more is left than a show and the choice in two generations: {left}")
+        support_kb = support_file_kb(programs, box, faults)
     block = re.search(r"\n\n((?:    \./box [^\n]+\n)+)", guide.read_text())[1]
-    figures = {"shows_installed": installed, "bad_shows_refused": refused, "commands_to_own_show": len(block.splitlines())}
+    figures = {"shows_installed": installed, "bad_shows_refused": refused, "commands_to_own_show": len(block.splitlines()),
+               "support_file_kb": support_kb}
     known = json.loads(report.read_text()) if report.exists() else {}
     report.parent.mkdir(parents=True, exist_ok=True)
     report.write_text(json.dumps(known | figures, indent=2) + "\n")

@@ -5,6 +5,7 @@
 #include "appliance/core/store/play_log.h"
 #include "appliance/core/store/said.h"
 #include "appliance/programs/shows/offers.h"
+#include "appliance/programs/shows/support_file.h"
 #include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
 
@@ -12,10 +13,9 @@ namespace kaori::shows {
 namespace {
 
 constexpr Duration kLookPeriod = std::chrono::milliseconds(500);
-constexpr Duration kSilence =
-    std::chrono::milliseconds(500);          // Of a program whose part of the board is over.
+// Of a program whose part of the board is over.
+constexpr Duration kSilence = std::chrono::milliseconds(500);
 constexpr std::size_t kLongestReason = 160;  // Two lines of a small screen.
-
 constexpr const char* kTold = "chosen";
 
 // A report that cannot be written costs the lines on the screen, and not the installation.
@@ -33,12 +33,13 @@ std::string KeyName(const show::PublicKey& key) {
 }  // namespace
 
 InstallService::InstallService(ServicePlaces places, Folder& folder, const board::Board& board,
-                               LookForStick look, Trial trial)
+                               LookForStick look, Trial trial, MakeSupportFile support)
     : places_(std::move(places)),
       folder_(folder),
       board_(board),
       look_(std::move(look)),
-      trial_(std::move(trial)) {
+      trial_(std::move(trial)),
+      support_(std::move(support)) {
   RemoveLeftovers(folder_);
   auto on_board = board.AcquireWriter<board::ShowsMenu>();
   if (on_board)
@@ -73,7 +74,9 @@ std::string InstallService::Plays() const {
 // has ended.
 void InstallService::Step(Time now) {
   if (now >= look_next_) Look(now);
-  if (installation_) {
+  if (writes_support_) {
+    WriteSupport();
+  } else if (installation_) {
     StepInstallation();
   } else if (IsBusyElsewhere(now)) {
     menu_.Shut();
@@ -146,7 +149,12 @@ void InstallService::OfferAll(const std::filesystem::path& stick, Time now) {
 }
 
 Result<std::size_t> InstallService::List(const std::filesystem::path& stick) {
-  auto offered = OffersOf(stick, folder_);
+  std::vector<Choosable> below = WaysBack(folder_);
+  if (support_)
+    below.push_back({.kind = Choosable::Kind::kSupport,
+                     .offer = {.file = {}, .name = "support file for a technician, onto the stick"},
+                     .remark = {}});
+  auto offered = OffersOf(stick, below);
   if (!offered) return tl::unexpected(offered.error());
   menu_.Offer(std::move(offered->choices), offered->left_out);
   return offered->of_stick;
@@ -167,7 +175,21 @@ void InstallService::ListAnew() {
 void InstallService::Accept(const Choosable& taken) {
   if (taken.kind == Choosable::Kind::kShow) return Install(taken);
   if (taken.kind == Choosable::Kind::kKey) return AcceptKey(taken);
-  GoBack(taken);
+  if (taken.kind == Choosable::Kind::kBack) return GoBack(taken);
+  writes_support_ = true;
+  Tell(Message::kWriting);
+}
+
+// What plays goes on, and nothing else of the stick is touched, however this ends.
+void InstallService::WriteSupport() {
+  writes_support_ = false;
+  const Result<std::string> name =
+      stick_ ? support_(*stick_) : Fail(std::errc::no_such_device, "write the support file");
+  if (name)
+    Tell(Message::kWritten, *name);
+  else
+    Tell(SupportMessageOf(name.error()), "support file", name.error().message());
+  menu_.ForgetPresses();
 }
 
 // It was tried when it came. The stage passes over a pack that the disk has spoilt, and that is said then.

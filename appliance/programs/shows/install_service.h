@@ -27,12 +27,17 @@ struct ServicePlaces {
 // cannot be mounted. Called every half second.
 using LookForStick = std::function<Result<std::optional<std::filesystem::path>>()>;
 
+// Writes a support file onto the stick, and gives its name. Blocks for seconds. Errors: those of
+// support_file.h.
+using MakeSupportFile = std::function<Result<std::string>(const std::filesystem::path& stick)>;
+
 // One thread; folder and board must outlive it. While another program has the board's section `shows_menu`
 // the show hears what is pressed in the list.
 class InstallService {
  public:
+  // Without `support` no such file is offered.
   InstallService(ServicePlaces places, Folder& folder, const board::Board& board, LookForStick look,
-                 Trial trial);
+                 Trial trial, MakeSupportFile support = {});
   ~InstallService();
   InstallService(const InstallService&) = delete;
   InstallService& operator=(const InstallService&) = delete;
@@ -71,6 +76,8 @@ class InstallService {
   // Chooses a show that is on the box; the stage is told.
   void GoBack(const Choosable& taken);
   void Install(const Choosable& taken);
+  // At the step after the one that said that it begins.
+  void WriteSupport();
   // The next piece; tells what has changed, and the stage where the show is on the box.
   void StepInstallation();
   // Says it on the screen, and in the log where it is another message than before.
@@ -92,11 +99,13 @@ class InstallService {
   const board::Board& board_;
   LookForStick look_;
   Trial trial_;
+  MakeSupportFile support_;
   std::optional<std::filesystem::path> stick_;
   Time look_next_{};
   Menu menu_;
   std::optional<Installation> installation_;
   std::string name_;  // Of what is being installed.
+  bool writes_support_ = false;
   // What was chosen and has not been seen to play yet, and the frames of the board when the stage had begun it.
   std::optional<store::Choice> awaited_;
   std::optional<std::uint32_t> frames_at_begin_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,6 +20,8 @@
 #include "appliance/programs/shows/install_service.h"
 #include "appliance/programs/shows/stick.h"
 #include "appliance/programs/shows/stick_mount.h"
+#include "appliance/programs/shows/support_file.h"
+#include "appliance/programs/shows/support_report.h"
 #include "appliance/programs/shows/trial.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
@@ -41,14 +44,18 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --report FOLDER    what is said to the screen and to the stage (/run/kaori-shows)
   --stick FOLDER     where a stick is mounted (/run/kaori-stick)
   --plugged          whatever lies in --stick is the stick: nothing is mounted
+  --journalctl PROGRAM  reads the journal for a support file (/usr/bin/journalctl)
+  --journal FOLDER   where the journal lies (that of this system)
   --install FILE     instead: installs this pack, says how it went, and ends
+  --support FOLDER   instead: writes a support file into this folder, says its name, and ends
 )";
 
 struct Settings {
   std::string shows = "/var/lib/kaori/shows", root_keys = "/usr/share/kaori/keys",
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
               trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
-              report = "/run/kaori-shows", stick = "/run/kaori-stick", install;
+              report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
+              journal, install, support;
   bool plugged = false;
 };
 
@@ -77,6 +84,11 @@ class Sticks {
     if (mount_) return std::optional(at_);
     if (there.empty()) return std::optional<fs::path>();
     return tl::unexpected(fault_);
+  }
+
+  // Where nothing is mounted, a folder stands for the stick.
+  kaori::Result<void> SetWritable(bool writable) {
+    return mount_ ? mount_->SetWritable(writable) : kaori::Result<void>{};
   }
 
  private:
@@ -135,6 +147,44 @@ void MakeTrialFolder(const std::string& report) {
   fs::permissions(fs::path(report) / "trial", fs::perms::all | fs::perms::sticky_bit, none);
 }
 
+// A box's settings lie in the folder above that of its keys.
+kaori::shows::SupportPlaces SupportPlacesOf(const Settings& settings) {
+  const fs::path board = settings.board;
+  return {.settings = fs::path(settings.keys).parent_path() / "box.toml",
+          .plays = kaori::store::PlayLogBeside(board),
+          .status = {.screens = board.parent_path() / "screens"}};
+}
+
+// Made before the stick can be written, so that this is so for the shortest time.
+kaori::Result<std::string> WriteSupport(const Settings& settings, const kaori::shows::Folder& shows,
+                                        const kaori::board::Board* board, Sticks& sticks,
+                                        const fs::path& stick) {
+  const auto places = SupportPlacesOf(settings);
+  const std::time_t wall = std::time(nullptr);
+  std::string name = kaori::shows::SupportFileName(kaori::shows::BoxName(places), wall);
+  const auto journal = [&](kaori::shows::JournalPart part, std::size_t most_bytes) {
+    return kaori::shows::ReadJournal({settings.journalctl, settings.journal}, part, most_bytes);
+  };
+  const std::string report = kaori::shows::SupportReport(places, shows, board, journal, wall);
+  if (auto ok = sticks.SetWritable(true); !ok) return tl::unexpected(ok.error());
+  const auto written = kaori::shows::WriteSupportFile(stick, name, report);
+  const auto closed = sticks.SetWritable(false);
+  if (!written) return tl::unexpected(written.error());
+  if (!closed) kaori::LogWarning("{}", closed.error().message());
+  return name;
+}
+
+// For whoever has the disk in another computer, where no program of the box runs.
+int Support(const Settings& settings) {
+  const auto board = kaori::board::Board::Open(settings.board);
+  const auto shows = kaori::shows::OpenFolder(settings.shows);
+  Sticks none{fs::path()};
+  const auto name = WriteSupport(settings, *shows, board ? &*board : nullptr, none, settings.support);
+  if (!name) return kaori::ExitWithError(name.error());
+  std::printf("%s\n", name->c_str());
+  return 0;
+}
+
 // For a laptop's test, and for whoever has the disk in another computer.
 int Install(const Settings& settings) {
   const auto folder = kaori::shows::OpenFolder(settings.shows);
@@ -184,8 +234,12 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
     return is_open();
   };
   const auto plays = kaori::store::PlayLogBeside(settings.board);
+  const auto support = [&](const fs::path& stick) {
+    return WriteSupport(settings, *folder, &*board, sticks, stick);
+  };
   kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
-                                       *board, look, TrialBy(settings, {.wanted = wanted, .user = *user}));
+                                       *board, look, TrialBy(settings, {.wanted = wanted, .user = *user}),
+                                       support);
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();
@@ -216,9 +270,13 @@ int main(int argc, char** argv) {
       .Text("--report", settings.report)
       .Text("--stick", settings.stick)
       .Switch("--plugged", settings.plugged)
-      .Text("--install", settings.install);
+      .Text("--journalctl", settings.journalctl)
+      .Text("--journal", settings.journal)
+      .Text("--install", settings.install)
+      .Text("--support", settings.support);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (!settings.install.empty()) return Install(settings);
+  if (!settings.support.empty()) return Support(settings);
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
   return Serve(settings, *loop);

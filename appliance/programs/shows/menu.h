@@ -14,10 +14,10 @@
 
 namespace kaori::shows {
 
-// One thing that can be taken: a show, a key of somebody's whose shows the box shall play, or a show that is on the
-// box already.
+// One thing that can be taken: a show, a key of somebody's whose shows the box shall play, a show that is on
+// the box already, or a support file, which goes the other way.
 struct Choosable {
-  enum class Kind : std::uint8_t { kShow, kKey, kBack } kind = Kind::kShow;
+  enum class Kind : std::uint8_t { kShow, kKey, kBack, kSupport } kind = Kind::kShow;
   Offer offer;
   std::string remark;     // "48 MB", or a key's fingerprint.
   show::PublicKey key{};  // Of a key: what is taken is what was shown, whatever the stick says later.

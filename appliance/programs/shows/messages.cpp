@@ -22,6 +22,10 @@ constexpr std::array<Row, kMessageCount> kTable{{
     {"it is on the box already and is the chosen show", "すでに入っていて、選ばれています"},
     {"this key is on the box now: shows that it signed will play",
      "鍵が入りました。この鍵で署名したショーを再生できます"},
+    {"the support file is being written; leave the stick where it is",
+     "サポートファイルを書いています。スティックを抜かないでください"},
+    {"it is on the stick, for a technician; the stick can go",
+     "スティックに書きました。技術者に渡してください。スティックは抜いて構いません"},
     {"this is no show; make it with ./box show push", "ショーのファイルではありません。作り直してください"},
     {"it is damaged; copy it to the stick again", "壊れています。もう一度スティックにコピーしてください"},
     {"its end is missing; copy it to the stick again",
@@ -46,6 +50,11 @@ constexpr std::array<Row, kMessageCount> kTable{{
      "この箱では再生できません。前のショーを続けます"},
     {"the service key was turned back before it was on the box; take it again",
      "入る前にサービスキーが戻されました。もう一度入れてください"},
+    {"there is no room on the stick; take something off it, or another stick",
+     "スティックに空きがありません。何か消すか、別のスティックにしてください"},
+    {"the stick cannot be written; take another one", "スティックに書けません。別のスティックにしてください"},
+    {"the stick was pulled out before it was written; put it in again",
+     "書き終わる前にスティックが抜けました。もう一度差してください"},
 }};
 
 }  // namespace

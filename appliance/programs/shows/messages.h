@@ -21,6 +21,8 @@ enum class Message : std::uint8_t {
   kPlays,         // The stage plays it.
   kAlreadyThere,  // It is what is chosen, and whole.
   kKeyTaken,      // A public key was kept: shows that it signed will play.
+  kWriting,       // The support file is on its way to the stick.
+  kWritten,       // It is there.
   kNotAShow,      // Another kind of file.
   kDamaged,       // Its checksum or its signature does not fit.
   kCutOff,        // Its end is missing.
@@ -30,14 +32,17 @@ enum class Message : std::uint8_t {
   kTooLarge,
   kNewerFormat,
   kOlderFormat,
-  kFull,        // The data partition has no room.
-  kPulled,      // The stick was pulled, or cannot be read.
-  kUnreadable,  // A stick of another file system.
-  kDiskFault,   // The box's own disk cannot be written.
-  kUnplayable,  // It is whole and trusted, and does not play.
-  kKeyOff,      // The service key was turned back on the way.
+  kFull,             // The data partition has no room.
+  kPulled,           // The stick was pulled, or cannot be read.
+  kUnreadable,       // A stick of another file system.
+  kDiskFault,        // The box's own disk cannot be written.
+  kUnplayable,       // It is whole and trusted, and does not play.
+  kKeyOff,           // The service key was turned back on the way.
+  kStickFull,        // The stick has no room for the support file.
+  kStickUnwritable,  // It cannot be written, or does not hold what was written.
+  kSupportPulled,    // It was pulled while the support file was written.
 };
-inline constexpr std::size_t kMessageCount = 25;
+inline constexpr std::size_t kMessageCount = 30;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

@@ -38,7 +38,7 @@ std::vector<Choosable> WaysBack(const Folder& shows) {
 
 // Shows first, so that their numbers do not depend on the keys beside them; of many shows some have to give
 // their numbers to keys, without which they might not be trusted. A file that holds no key is not offered.
-Result<Offered> OffersOf(const std::filesystem::path& stick, const Folder& shows) {
+Result<Offered> OffersOf(const std::filesystem::path& stick, const std::vector<Choosable>& below) {
   const auto packs = ListShows(stick), keys = ListKeys(stick);
   if (!packs || !keys) return tl::unexpected((!packs ? packs : keys).error());
   std::vector<Choosable> choices, of_keys;
@@ -46,13 +46,12 @@ Result<Offered> OffersOf(const std::filesystem::path& stick, const Folder& shows
   for (const auto& offer : *keys)
     if (const auto key = show::ReadPublicKey(offer.file))
       of_keys.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});
-  const std::vector<Choosable> back = WaysBack(shows);
-  const std::size_t all = choices.size() + of_keys.size(), numbers = kMostChoices - back.size();
+  const std::size_t all = choices.size() + of_keys.size(), numbers = kMostChoices - below.size();
   choices.resize(std::min(choices.size(), numbers - std::min(of_keys.size(), kRoomForKeys)));
   of_keys.resize(std::min(of_keys.size(), numbers - choices.size()));
   choices.insert(choices.end(), of_keys.begin(), of_keys.end());
   const std::size_t of_stick = choices.size();
-  choices.insert(choices.end(), back.begin(), back.end());
+  choices.insert(choices.end(), below.begin(), below.end());
   return Offered{std::move(choices), of_stick, all - of_stick};
 }
 

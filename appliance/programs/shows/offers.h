@@ -21,8 +21,8 @@ struct Offered {
 // the root's. Blocks for the disk.
 std::vector<Choosable> WaysBack(const Folder& shows);
 
-// What lies at the top of the stick, and the ways back below it. Blocks for the stick. Errors: those of
-// ListShows.
-Result<Offered> OffersOf(const std::filesystem::path& stick, const Folder& shows);
+// What lies at the top of the stick, and `below` it the rest of the list, which keeps its numbers however
+// much lies there. Blocks for the stick. Errors: those of ListShows.
+Result<Offered> OffersOf(const std::filesystem::path& stick, const std::vector<Choosable>& below);
 
 }  // namespace kaori::shows

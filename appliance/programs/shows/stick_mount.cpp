@@ -32,6 +32,8 @@ bool HasPartitions(const fs::path& entry) {
   return false;
 }
 
+constexpr unsigned long kSafe = MS_NODEV | MS_NOSUID | MS_NOEXEC | MS_NOATIME;
+
 }  // namespace
 
 std::vector<std::string> FindSticks(const fs::path& blocks) {
@@ -46,17 +48,22 @@ std::vector<std::string> FindSticks(const fs::path& blocks) {
   return sticks;
 }
 
-// Read-only in each case: a stick is nobody's to change, and its owner may pull it at any moment.
-// exFAT first: its driver refuses FAT's boot sector and the other way round.
+// Read-only until somebody asks for a file: a stick is nobody's to change, and its owner may pull it at any
+// moment. exFAT first: its driver refuses FAT's boot sector and the other way round.
 Result<StickMount> StickMount::Make(const std::string& device, const fs::path& at) {
-  constexpr unsigned long kForReading = MS_RDONLY | MS_NODEV | MS_NOSUID | MS_NOEXEC | MS_NOATIME;
   int failed = EINVAL;
   for (const char* kind : {"exfat", "vfat"}) {
-    if (::mount(device.c_str(), at.c_str(), kind, kForReading, nullptr) == 0) return StickMount(at);
+    if (::mount(device.c_str(), at.c_str(), kind, kSafe | MS_RDONLY, nullptr) == 0) return StickMount(at);
     // A driver that is missing says ENODEV; what the other one says of the stick is more useful.
     if (errno != ENODEV) failed = errno;
   }
   return Fail(static_cast<std::errc>(failed), "mount the stick " + device);
+}
+
+Result<void> StickMount::SetWritable(bool writable) {
+  const unsigned long flags = MS_REMOUNT | kSafe | (writable ? 0 : MS_RDONLY);
+  if (::mount(nullptr, at_.c_str(), nullptr, flags, nullptr) == 0) return {};
+  return FailErrno(writable ? "write on the stick" : "close the stick");
 }
 
 StickMount::StickMount(StickMount&& other) noexcept : at_(std::exchange(other.at_, {})) {}

@@ -23,6 +23,10 @@ class StickMount {
   // Read-only, nothing on it can be run, has rights or is a device. `device` is a block device with FAT or
   // exFAT. Errors: invalid_argument (no such file system), no_such_device, operation_not_permitted.
   static Result<StickMount> Make(const std::string& device, const std::filesystem::path& at);
+  // Lets files be written, or not any more, in the same place. What was written is on the stick when it
+  // returns. Errors: those of mount(2): permission_denied (the stick's own switch), device_or_resource_busy,
+  // no_such_device.
+  Result<void> SetWritable(bool writable);
   StickMount(StickMount&& other) noexcept;
   StickMount& operator=(StickMount&&) = delete;
   ~StickMount();

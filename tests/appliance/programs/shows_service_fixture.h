@@ -55,6 +55,7 @@ class ServiceTest : public tests::PackTest {
   const show::SecretKey company_ = show::MakeKey().value(), theatre_ = show::MakeKey().value();
   bool plugged_ = false, unreadable_ = false;
   Result<void> trial_{};
+  Result<std::string> support_ = std::string("kaori-1a2b3c4d-20261123-221005.txt");
   board::Board board_ = board::Board::Create((folder_ / "board").string()).value();
   board::Writer<board::Keys> keys_ = board_.AcquireWriter<board::Keys>().value();
   board::Writer<board::StageStatus> stage_ = board_.AcquireWriter<board::StageStatus>().value();
@@ -70,7 +71,8 @@ class ServiceTest : public tests::PackTest {
         if (!plugged_) return std::optional<std::filesystem::path>();
         return std::optional(folder_ / "stick");
       },
-      [this](const std::filesystem::path&) { return trial_; }};
+      [this](const std::filesystem::path&) { return trial_; },
+      [this](const std::filesystem::path&) { return support_; }};
 };
 
 }  // namespace kaori::shows

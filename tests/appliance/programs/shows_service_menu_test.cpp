@@ -140,6 +140,42 @@ TEST_F(ServiceMenuTest, KeepsTheStageFollowingWhereTheDiskHasLostBothFilesOfTheC
   EXPECT_EQ(ReadFile(folder_ / "report" / "chosen").value_or(""), "9\n");
 }
 
+TEST_F(ServiceMenuTest, WritesASupportFileOntoAStickEvenAnEmptyOne) {
+  plugged_ = true;
+  const std::string said = Play(1s);
+  EXPECT_THAT(said, HasSubstr("there is no show on the stick"));
+  EXPECT_THAT(said, HasSubstr("> 1  support file for a technician"));
+  Strike(board::key::kEnter);
+  service_.Step(now_);
+  EXPECT_THAT(ReadFile(folder_ / "report" / "lines").value_or(""),
+              HasSubstr("is being written; leave the stick"));
+  const std::string written = Play(1s);
+  EXPECT_THAT(written, HasSubstr("kaori-1a2b3c4d-20261123-221005.txt: it is on the stick"));
+  EXPECT_THAT(written, HasSubstr(Words(Message::kWritten, Language::kJapanese)));
+}
+
+TEST_F(ServiceMenuTest, ASupportFileThatCouldNotBeWrittenIsOneLineAndWhatPlaysGoesOn) {
+  PutOnStick("evening", &company_);
+  plugged_ = true;
+  support_ = Fail(std::errc::no_space_on_device, "write kaori.txt");
+  Play(1s);
+  Strike(board::key::k1 + 1);
+  EXPECT_THAT(Play(1s), ::testing::StartsWith("! support file: there is no room on the stick"));
+  support_ = Fail(std::errc::io_error, "write kaori.txt");
+  Strike(board::key::k1 + 1);
+  EXPECT_THAT(Play(1s),
+              ::testing::StartsWith("! support file: the stick was pulled out before it was written"));
+  EXPECT_EQ(store::ReadChoice(folder_ / "shows"), store::Choice());
+  Strike(board::key::k1);
+  EXPECT_THAT(Play(1s), HasSubstr("evening: it is on the box"));
+}
+
+TEST_F(ServiceMenuTest, OffersNoSupportFileWithoutAStick) {
+  Install();
+  Strike(board::key::kPageUp);
+  EXPECT_THAT(Play(1s), Not(HasSubstr("support file")));
+}
+
 // A folder in place of the stick that is gone before it is listed.
 TEST_F(ServiceMenuTest, ThatAStickWasPulledWhileItWasListedIsForgottenWhenItIsOut) {
   fs::remove_all(folder_ / "stick");
