@@ -12,20 +12,15 @@ import subprocess
 import sys
 from pathlib import Path
 
+from debs import MERGED, merged
 import stand_in
 
-MERGED = ("bin", "sbin", "lib", "lib64")  # Folders of the root that are names of folders in usr.
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
 # What the stage opens besides its libraries, in its order; then the show.
 OPENED = (f"{LIBRARIES}/libEGL_mesa.so.0", f"{LIBRARIES}/dri/swrast_dri.so")
 AHEAD = "usr/share/kaori/ahead"
 LARGE_BYTES = 8 << 20  # Of LLVM and of Mesa's drivers a third is looked at until the first picture.
 MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var/lib/kaori")
-
-
-def merged(path):
-    """The path of a package's file in a root whose programs all lie in usr."""
-    return f"usr/{path}" if path.split("/", 1)[0] in MERGED else path
 
 
 def index(packages):

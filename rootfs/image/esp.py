@@ -1,17 +1,29 @@
 """The partition from which a UEFI PC starts: a boot loader that shows nothing and asks nothing, and one file for each
-slot, which is the kernel and its command line together. It can be signed as a whole, and its name can count tries."""
+slot, which is the kernel and its command line together. It can be signed as a whole.
+
+An update overwrites the contents of one slot's file, and of loader.conf, which names the slot that starts; FAT and folders are never
+written again. So each kernel's file has one fixed size, whatever is in it, lies in one piece that begins on a whole MiB of the disk,
+and loader.conf is one sector.
+"""
 
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
+
+import fat
 
 MIB = 1 << 20
 SECTION_ALIGNED = 0x1000
 HEADER_POINTER, TIME_AT, CHECKSUM_AT = 0x3C, 8, 88  # In a PE file, and in its header.
 VOLUME_ID = "6B616F72"
 LOADERS = "usr/lib/systemd/boot/efi"  # In Debian's packages.
-SETTINGS = "timeout 0\neditor no\nconsole-mode keep\nauto-entries no\nauto-firmware no\nauto-reboot no\n"
+SLOTS = ("a", "b")
+KERNEL_BYTES = 24 * MIB  # Of each slot's file; more is refused.
+FOLDERS = ("EFI", "EFI/Linux", "EFI/BOOT", "loader")  # In the order in which they are made, each in one sector.
+SETTINGS = "timeout 0\neditor no\nconsole-mode keep\nauto-entries no\nauto-firmware no\nauto-reboot no\ndefault kaori-{slot}.efi\n"
+TRIES = 4  # What is reserved at the partition's begin changes the tables' size, which changes what has to be reserved.
 
 
 def run(*command):
@@ -38,33 +50,100 @@ def forget_time(program):
             file.write(bytes(4))
 
 
-def make_unified(stub, release, cmdline, kernel, target):
-    """The kernel in an EFI program, with its command line."""
+def add_sections(stub, sections, target):
+    """The stub with files as sections behind its own, in their order."""
     address, options = free_address(stub), []
-    for name, path in ((".osrel", release), (".cmdline", cmdline), (".linux", kernel)):
+    for name, path in sections:
         address = -(-address // SECTION_ALIGNED) * SECTION_ALIGNED
         options += ["--add-section", f"{name}={path}", "--change-section-vma", f"{name}={address:#x}"]
         address += path.stat().st_size
     run("objcopy", *options, stub, target)
+
+
+def make_unified(stub, release, cmdline, kernel, target):
+    """The kernel in an EFI program of KERNEL_BYTES, with its command line.
+
+    A section of zeros before the kernel brings it to that size: the kernel's own is the last, since it may unpack itself behind its end."""
+    padding = target.with_name("padding")
+    sections = ((".osrel", release), (".cmdline", cmdline), (".pad", padding), (".linux", kernel))
+    padding.write_bytes(bytes(fat.SECTOR))
+    add_sections(stub, sections, target)
+    missing = KERNEL_BYTES - target.stat().st_size
+    if missing < 0:
+        sys.exit(f"image: the kernel with its command line has {target.stat().st_size} bytes; a slot has room for {KERNEL_BYTES}")
+    with open(padding, "r+b") as file:
+        file.truncate(fat.SECTOR + missing // fat.SECTOR * fat.SECTOR)
+    add_sections(stub, sections, target)
+    padding.unlink()
     forget_time(target)
+    with open(target, "r+b") as file:
+        file.truncate(KERNEL_BYTES)  # Less than a sector of zeros, where the kernel does not end with one.
+
+
+def settings(slot):
+    """loader.conf, which starts a slot by itself: one sector, the same for both slots but for one letter."""
+    text = SETTINGS.format(slot=slot)
+    return text + "#" * (fat.SECTOR - len(text) - 1) + "\n"
+
+
+def make_empty(image, size_mib):
+    """A FAT32 in which the first file that is made after the folders begins on a whole MiB."""
+    reserved = 32
+    for _ in range(TRIES):
+        image.unlink(missing_ok=True)
+        run("mkfs.vfat", "--invariant", "-F", "32", "-s", "1", "-R", reserved, "-n", "KAORI", "-i", VOLUME_ID, "-C", image,
+            size_mib * MIB // 1024)
+        with open(image, "rb") as file:
+            first_file = fat.table(file).data_at + 1 + len(FOLDERS)  # Behind the root's sector and the folders'.
+        if first_file * fat.SECTOR % MIB == 0:
+            return
+        reserved += MIB // fat.SECTOR - first_file % (MIB // fat.SECTOR)
+    sys.exit("image: the kernels of the partition boot cannot be laid on whole MiB")
+
+
+def in_one_piece(sectors, size):
+    """Whether a kernel's file lies as an update needs it."""
+    return size == KERNEL_BYTES and sectors[0] * fat.SECTOR % MIB == 0 and \
+        sectors == list(range(sectors[0], sectors[0] + KERNEL_BYTES // fat.SECTOR))
+
+
+def lay_out(image, files, size_mib):
+    """Makes the partition of a folder's files, the kernels first, and looks where they came to lie."""
+    make_empty(image, size_mib)
+    for folder in FOLDERS:
+        run("mmd", "-i", image, f"::/{folder}")
+    kernels = [f"EFI/Linux/kaori-{slot}.efi" for slot in SLOTS]
+    for path in (*kernels, "EFI/BOOT/BOOTX64.EFI", "loader/loader.conf"):
+        run("mcopy", "-m", "-i", image, files / path, f"::/{path}")
+    with open(image, "rb") as file:
+        for path in kernels:
+            if not in_one_piece(*fat.find(file, *path.split("/"))):
+                sys.exit(f"image: {path} does not lie in one piece on whole MiB of the partition boot")
+        sectors, size = fat.find(file, "loader", "LOADER~1.CON")
+        if (len(sectors), size) != (1, fat.SECTOR):
+            sys.exit("image: loader.conf does not fill one sector of the partition boot")
 
 
 def make(out, packages, size_mib):
-    """OUT/boot.vfat, from the kernel and the command line in OUT."""
+    """OUT/boot.vfat, from the kernel in OUT and the command lines of both slots; slot a starts by itself."""
     files = out / "boot"
     shutil.rmtree(files, ignore_errors=True)
-    for folder in ("EFI/BOOT", "EFI/Linux", "loader"):
+    for folder in FOLDERS:
         (files / folder).mkdir(parents=True)
     loaders = Path(packages) / LOADERS
     shutil.copyfile(loaders / "systemd-bootx64.efi", files / "EFI/BOOT/BOOTX64.EFI")
-    make_unified(loaders / "linuxx64.efi.stub", out / "root/etc/os-release", out / "cmdline", out / "bzImage",
-                 files / "EFI/Linux/kaori-a.efi")
-    (files / "loader/loader.conf").write_text(SETTINGS)
-    image = out / "boot.vfat"
-    image.unlink(missing_ok=True)
-    run("mkfs.vfat", "--invariant", "-F", "32", "-n", "KAORI", "-i", VOLUME_ID, "-C", image, size_mib * MIB // 1024)
+    for slot in SLOTS:
+        make_unified(loaders / "linuxx64.efi.stub", out / "root/etc/os-release", out / command_line_name(slot), out / "bzImage",
+                     files / f"EFI/Linux/kaori-{slot}.efi")
+    (files / "loader/loader.conf").write_text(settings(SLOTS[0]))
     date = int(os.environ["SOURCE_DATE_EPOCH"])
     for path in sorted(files.rglob("*"), reverse=True):
         os.utime(path, (date, date))
-    run("mcopy", "-s", "-m", "-i", image, files / "EFI", files / "loader", "::/")
+    image = out / "boot.vfat"
+    lay_out(image, files, size_mib)
     return image
+
+
+def command_line_name(slot):
+    """The file with the command line of a slot's kernel; whoever starts the kernel without this partition starts slot a."""
+    return "cmdline" if slot == SLOTS[0] else f"cmdline-{slot}"

@@ -4,12 +4,37 @@
 readonly IMAGE_PACKAGES=(
   mmdebstrap erofs-utils e2fsprogs cryptsetup-bin gdisk dosfstools mtools zstd xz-utils python3 binutils
   linux-source-6.12 make gcc ccache flex bison bc libelf-dev libssl-dev lz4)
+readonly LISTS_RENEWED=out/image/packages.asked
 readonly BOOT_PACKAGES=(qemu-system-x86 python3)
+
+# Lets apt ask its servers for newer versions: renew_lists [SUDO_OPTION]. Without a network, or where only root may and nobody
+# is asked (sudo -n), what apt knows stays as it is, and that is said.
+renew_lists() {
+  local -a root=()
+  [ "$(id -u)" = 0 ] || root=(sudo "$@")
+  mkdir -p $LOGS
+  if "${root[@]}" apt-get update -qq -o Acquire::Retries=0 -o Acquire::http::Timeout=20 >$LOGS/apt.log 2>&1; then
+    mkdir -p "${LISTS_RENEWED%/*}"
+    touch $LISTS_RENEWED
+  else
+    say "apt could not ask for newer packages (see $LOGS/apt.log); what it knew before counts"
+  fi
+}
+
+# Names what of Debian an image carries in a version that apt has a newer one of, and ends with 1 where there is any.
+name_stale() {
+  local listed=$1.spdx.json
+  [ -f "$listed" ] || fail "there is no $listed, in which an image's packages stand; ./box image makes it with the image"
+  need python3
+  renew_lists
+  exec rootfs/image/stale.py --list "$listed"
+}
 
 # shellcheck disable=SC2120  # ./box gives it its words.
 image() {
-  local out=out/image programs='' disk='' pack='' firmware='' trust='' value
+  local out=out/image programs='' disk='' pack='' firmware='' trust='' value stale=''
   while [ $# -gt 0 ]; do
+    if [ "$1" = --stale ]; then stale=yes; shift; continue; fi
     [[ $1 =~ ^--(out|programs|disk|pack|firmware|trust)$ ]] || fail "image knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
@@ -17,10 +42,16 @@ image() {
     local "${1#--}=$value"
     shift 2
   done
+  if [ -n "$stale" ]; then
+    [ -z "$programs$disk$pack$firmware$trust" ] || fail "image --stale looks at an image and builds none; it takes --out alone"
+    name_stale "$out"
+  fi
   [ -z "$pack" ] || is_show "$pack"
   [ -n "$trust" ] || [ ! -f $COMPANY.pub ] || trust=$COMPANY.pub
   [ -z "$trust" ] || [ -f "$trust" ] || fail "there is no key $trust; ./box show key makes one"
   need "${BUILD_PACKAGES[@]}" "${IMAGE_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
+  # Security updates reach an image by apt's lists; those of yesterday are renewed.
+  [ -n "$(find $LISTS_RENEWED -mtime -1 2>/dev/null)" ] || renew_lists -n
   [ -n "$programs" ] || build release programs kaori-bench
   [ -z "$pack" ] || choose_pack "$pack"
   rootfs/image/build --out "$out" --programs "${programs:-$BIN}" --kept out/image ${disk:+--disk "$disk"} \

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, and a report of sizes.
+"""Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, OUT/cmdline-b, and a report of sizes.
 
     pack.py OUT PACKAGES REPORT.json [DISK_MIB] [--unweighed]
 
@@ -28,7 +28,7 @@ DISK_UUID = "6b616f72-6900-4000-8000-000000000003"
 DATA_UUID = "6b616f72-6900-4000-8000-000000000004"
 SALT = "6b616f72692d626f78" + "00" * 23
 
-# name, size in MiB, GPT type, the partition's own id. Slot B stays empty until the first update.
+# name, size in MiB, GPT type, the partition's own id. Both slots are filled, so that there is always one to go back to.
 EFI, ROOT, VERITY, DATA = "EF00", "8304", "8385", "8300"
 LAYOUT = (
     ("boot", 64, EFI, "6b616f72-6900-4000-8000-000000000010"),
@@ -77,14 +77,15 @@ def hash_root(out, image):
     return tree, next(line.split()[-1] for line in shown.splitlines() if line.startswith("Root hash"))
 
 
-def command_line(image, root_hash):
+def command_line(image, root_hash, slot):
     """The kernel itself sets up the verified root: there is no initramfs. The tree's first block is its header."""
     blocks = image.stat().st_size // BLOCK
     ids = {name: uuid for name, _, _, uuid in LAYOUT}
-    root, tree = f"PARTUUID={ids['root-a']}", f"PARTUUID={ids['verity-a']}"
+    root, tree = f"PARTUUID={ids[f'root-{slot}']}", f"PARTUUID={ids[f'verity-{slot}']}"
     table = f"0 {blocks * BLOCK // SECTOR} verity 1 {root} {tree} {BLOCK} {BLOCK} {blocks} 1 {DIGEST} {root_hash} {SALT}"
     return f'dm-mod.waitfor={root},{tree} dm-mod.create="root,,,ro,{table}" root=/dev/dm-0 rootfstype=erofs ro ' \
-           "init=/usr/bin/kaori-boot usbcore.authorized_default=0 quiet loglevel=3 panic=5"
+           "init=/usr/bin/kaori-boot usbcore.authorized_default=0 quiet loglevel=3 panic=5 " \
+           f"rauc.slot={slot.upper()}"
 
 
 def folder_of(name, user):
@@ -152,10 +153,12 @@ def main():
     sizes_mib = {name: size for name, size, _, _ in layout}
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
-    (out / "cmdline").write_text(command_line(image, root_hash) + "\n")
+    for slot in esp.SLOTS:
+        (out / esp.command_line_name(slot)).write_text(command_line(image, root_hash, slot) + "\n")
     boot = esp.make(out, packages, sizes_mib["boot"])
     data = make_data(out, sizes_mib["data"])
-    write_disk(out, layout, {"boot": boot, "root-a": image, "verity-a": tree, "data": data})
+    write_disk(out, layout, {"boot": boot, "data": data, **{f"root-{slot}": image for slot in esp.SLOTS},
+                            **{f"verity-{slot}": tree for slot in esp.SLOTS}})
     kernel = out / "bzImage"
     in_mb = {"kernel": kernel.stat().st_size, "root": image.stat().st_size, "verity": tree.stat().st_size,
              "unpacked": folder_bytes(out / "root"),

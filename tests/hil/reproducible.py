@@ -18,7 +18,7 @@ from pathlib import Path
 BUILD = Path(__file__).resolve().parents[2] / "rootfs/image/build"
 PACK = BUILD.with_name("pack.py")
 SAME = ("shaders/still.ppm", "shaders/shaders.foz", "shaders/shaders_idx.foz", "shaders/shaders.known", "root.erofs", "root.verity", "cmdline",
-        "boot.vfat", "data.ext4", "kaori.disk")
+        "cmdline-b", "boot.vfat", "data.ext4", "kaori.disk")
 
 
 def build(programs, kept, out):

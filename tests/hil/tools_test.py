@@ -17,14 +17,14 @@ ESSENTIAL = "part of every Debian"
 TOOLS = {
     **dict.fromkeys("awk basename cat chmod cksum comm cp cut date dd dirname find flock grep head id install kill ln ls mkdir mktemp "
                     "mv nice nproc paste printf realpath rm sed seq setsid sha256sum sleep sort stat tail tar tee timeout touch "
-                    "tr truncate true uname uniq wc xargs bash sh dpkg-deb dpkg-query apt-get apt-cache env ldd sudo "
+                    "tr truncate true uname uniq wc xargs bash sh dpkg dpkg-deb dpkg-query apt-get apt-cache env ldd sudo "
                     "readlink unshare mount su sync perl gzip hostname cmp setpriv apt nohup du expr".split(), ESSENTIAL),
     "systemd-analyze": "systemd", "python3": "python3", "git": "git",
     "cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "make": "make", "gcc": "gcc", "g++": "g++", "ccache": "ccache",
     "clang-14": "clang-14", "clang++-14": "clang-14", "clang-tidy-14": "clang-tidy-14", "clang-format-14": "clang-format-14",
     "chromium": "chromium", "node": "nodejs", "npm": "npm", "ffmpeg": "ffmpeg", "shellcheck": "shellcheck",
     "mmdebstrap": "mmdebstrap", "mkfs.erofs": "erofs-utils", "mke2fs": "e2fsprogs", "e2fsck": "e2fsprogs",
-    "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mcopy": "mtools",
+    "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mcopy": "mtools", "mmd": "mtools",
     "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
     "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
     "qemu-system-x86_64": "qemu-system-x86", "Xvfb": "xvfb",
@@ -35,7 +35,7 @@ ALWAYS = {ESSENTIAL, "systemd", "git"}  # git: without it there is no repository
 BUILTINS = set("[ [[ ]] : . source exit return local declare readonly export set shift trap eval exec cd echo read mapfile unset "
                "command type wait times let pushd popd builtin getopts ulimit umask printf kill test true false "
                "break continue if then else elif fi for while until do done case esac in function select time { } ! coproc".split())
-SHELL = ("box", "*.sh", "rootfs/image/build", "rootfs/image/progress", "rootfs/image/kernel/build", "tests/hil/bench_disk",
+SHELL = ("box", "*.sh", "rootfs/image/build", "rootfs/image/keep_control", "rootfs/image/progress", "rootfs/image/kernel/build", "tests/hil/bench_disk",
          "tests/hil/usual_image")
 PYTHON = ("rootfs/image/*.py", "tests/hil/*.py")
 CPP = "hw-sim/hil/*.cpp"

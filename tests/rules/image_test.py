@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""What the image's builder refuses, in one line, before it has built anything, and how it keeps compiled shaders:
+"""What the image's builder refuses, in one line, before it has built anything, how it lays out the slots, and how it keeps compiled shaders:
 image_test.py REPOSITORY"""
 
+import os
 import struct
 import subprocess
 import sys
@@ -12,7 +13,10 @@ from pathlib import Path
 REPOSITORY = Path(sys.argv.pop(1))
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(REPOSITORY / "rootfs/image"))
-import shader_store  # noqa: E402  The image's own.
+import esp  # noqa: E402  The image's own, all of these.
+import fat  # noqa: E402
+import pack  # noqa: E402
+import shader_store  # noqa: E402
 
 
 def refusal(*command):
@@ -41,6 +45,67 @@ class Image(unittest.TestCase):
             self.assertIn("--out wants a value", refusal(build, "--out"))
             self.assertIn(f"there is no update of a surface in {folder}", refusal(build, *usual, "--firmware", folder))
             self.assertIn("there is no show at", refusal(build, *usual[:4], "--pack", f"{folder}/none"))
+
+
+class Slots(unittest.TestCase):
+    """Two systems on one disk, of which an update overwrites one without writing to a table or a folder."""
+
+    def test_command_lines_differ_in_the_slot_alone(self):
+        with tempfile.NamedTemporaryFile() as root:
+            root.write(bytes(2 * pack.BLOCK))
+            root.flush()
+            one, other = (pack.command_line(Path(root.name), "ab12", slot).split() for slot in esp.SLOTS)
+        ids = {name: uuid for name, _, _, uuid in pack.LAYOUT}
+        for part in ("root", "verity"):
+            one = [word.replace(ids[f"{part}-a"], ids[f"{part}-b"]) for word in one]
+        self.assertEqual([pair for pair in zip(one, other) if pair[0] != pair[1]], [("rauc.slot=A", "rauc.slot=B")])
+        self.assertEqual(len(one), len(other))
+
+    def test_the_loaders_settings_are_one_sector_and_name_the_slot_by_one_letter(self):
+        one, other = (esp.settings(slot).encode() for slot in esp.SLOTS)
+        self.assertEqual((len(one), len(other)), (512, 512))
+        self.assertEqual([chr(a) + chr(b) for a, b in zip(one, other) if a != b], ["ab"])
+        self.assertIn(b"\ndefault kaori-a.efi\n#", one)
+        self.assertTrue(one.endswith(b"#\n"))
+
+    def laid_out(self, folder, name):
+        files = Path(folder) / "boot"
+        for path in esp.FOLDERS:
+            (files / path).mkdir(parents=True, exist_ok=True)
+        for number, slot in enumerate(esp.SLOTS):
+            kernel = files / f"EFI/Linux/kaori-{slot}.efi"
+            kernel.write_bytes(bytes([0x4D + number]) * esp.KERNEL_BYTES)
+            os.utime(kernel, (1767225600, 1767225600))
+        for path, text in (("EFI/BOOT/BOOTX64.EFI", "a loader" * 9000), ("loader/loader.conf", esp.settings("a"))):
+            (files / path).write_text(text)
+            os.utime(files / path, (1767225600, 1767225600))
+        os.environ["SOURCE_DATE_EPOCH"] = "1767225600"
+        esp.lay_out(Path(folder) / name, files, 64)
+        return Path(folder) / name
+
+    def test_kernels_lie_in_one_piece_on_whole_mib_of_the_disk(self):
+        with tempfile.TemporaryDirectory() as folder:
+            image = self.laid_out(folder, "boot.vfat")
+            content = image.read_bytes()
+            with open(image, "rb") as file:
+                for number, slot in enumerate(esp.SLOTS):
+                    sectors, size = fat.find(file, "EFI", "Linux", f"kaori-{slot}.efi")
+                    first = sectors[0] * 512
+                    self.assertEqual((first % esp.MIB, size), (0, 24 * esp.MIB))
+                    self.assertEqual(sectors, list(range(sectors[0], sectors[0] + size // 512)))
+                    self.assertEqual(set(content[first:first + size]), {0x4D + number}, "another file lies in it")
+                sectors, size = fat.find(file, "loader", "LOADER~1.CON")
+            self.assertEqual(content[sectors[0] * 512:][:size], esp.settings("a").encode())
+            self.assertEqual(self.laid_out(folder, "again.vfat").read_bytes(), content, "made again it is another")
+
+    def test_a_kernel_with_a_hole_or_beside_a_whole_mib_is_seen(self):
+        count = esp.KERNEL_BYTES // 512
+        whole = list(range(2048, 2048 + count))
+        self.assertTrue(esp.in_one_piece(whole, esp.KERNEL_BYTES))
+        self.assertFalse(esp.in_one_piece(whole, esp.KERNEL_BYTES - 1))
+        self.assertFalse(esp.in_one_piece(whole[:-1] + [whole[-1] + 1], esp.KERNEL_BYTES))
+        self.assertFalse(esp.in_one_piece(whole[:-1], esp.KERNEL_BYTES))
+        self.assertFalse(esp.in_one_piece([sector + 1 for sector in whole], esp.KERNEL_BYTES))
 
 
 class Progress(unittest.TestCase):

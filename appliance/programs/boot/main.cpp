@@ -209,7 +209,9 @@ void ApplySettings() {
   WriteSetting("lines", EnvironmentOf(profile.wiring));
   WriteSetting("dials", DialsEnvironmentOf(profile));
   WriteSetting("status_screen", profile.status_screen);
-  WriteSetting("root_hash", kaori::boot::RootHashOf(kaori::ReadFile("/proc/cmdline").value_or("")));
+  const std::string command_line = kaori::ReadFile("/proc/cmdline").value_or("");
+  WriteSetting("root_hash", kaori::boot::RootHashOf(command_line));
+  WriteSetting("slot", kaori::boot::SlotOf(command_line));
   WriteSetting("faults", g_faults);
   if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
 }

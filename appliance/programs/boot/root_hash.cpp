@@ -12,6 +12,8 @@ constexpr std::string_view kTable = " verity ";
 constexpr std::string_view kDigest = " blake2b-512 ";  // The hash follows.
 // 512 bits in small hexadecimal digits, as veritysetup prints them.
 constexpr std::size_t kDigits = 128;
+// The word is RAUC's, by which it knows what runs; rootfs/image/pack.py writes it.
+constexpr std::string_view kSlot = "rauc.slot=";
 
 bool IsDigit(char letter) {
   return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
@@ -27,6 +29,17 @@ std::string RootHashOf(std::string_view command_line) {
   const auto hash = command_line.substr(digest + kDigest.size(), kDigits);
   if (hash.size() != kDigits || !std::ranges::all_of(hash, IsDigit)) return {};
   return std::string(hash);
+}
+
+std::string SlotOf(std::string_view command_line) {
+  for (const std::string_view slot : {"A", "B"}) {
+    const auto word = command_line.find(std::string(kSlot) + std::string(slot));
+    if (word == std::string_view::npos || (word > 0 && command_line[word - 1] != ' ')) continue;
+    const auto end = word + kSlot.size() + slot.size();
+    if (end == command_line.size() || command_line[end] == ' ' || command_line[end] == '\n')
+      return std::string(slot);
+  }
+  return {};
 }
 
 }  // namespace kaori::boot

@@ -39,6 +39,7 @@ bool IsAscii(char letter) {
 Facts ReadFacts(const Places& places) {
   Facts facts{{},
               WordOf(places.settings / "root_hash"),
+              WordOf(places.settings / "slot"),
               WordOf(places.settings / "status_screen"),
               LinesOf(places.settings / "faults"),
               ParseScreens(ReadFile(places.screens).value_or("")),

@@ -23,6 +23,7 @@ struct Places {
 struct Facts {
   std::string profile;    // "stage", "kiosk" or "bench"; empty where no box was started.
   std::string root_hash;  // 128 digits; empty where the root file system is not verified.
+  std::string slot;       // "A" or "B", the disk's slot that was started; empty where that is not known.
   std::string screen;     // The screen of the status display, by name or number; empty: there is none.
   // What kaori-boot could not do, one line each, in the order in which it happened.
   std::vector<std::string> faults;

@@ -49,7 +49,8 @@ Line Title(const Facts& facts) {
       facts.profile.empty() ? "This program was not started as a box" : "Profile " + facts.profile;
   words += facts.root_hash.empty()
                ? "; the root file system is not verified."
-               : "; the root file system is verified, hash " + facts.root_hash.substr(0, kHashShown) + ".";
+               : "; the root file system is verified, hash " + facts.root_hash.substr(0, kHashShown) +
+                     (facts.slot.empty() ? "." : ", slot " + facts.slot + ".");
   return {Mark::kTitle, "Kaori box", words};
 }
 

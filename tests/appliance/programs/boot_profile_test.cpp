@@ -111,6 +111,13 @@ TEST(RootHash, IsTheOneOfTheVerityTable) {
   EXPECT_THAT(RootHashOf(table + "X" + hash.substr(1)), IsEmpty());
 }
 
+TEST(Slot, IsTheOneThatTheCommandLineNames) {
+  EXPECT_EQ(SlotOf("quiet panic=5 rauc.slot=A\n"), "A");
+  EXPECT_EQ(SlotOf("rauc.slot=B quiet"), "B");
+  for (const char* other : {"", "quiet", "rauc.slot=", "rauc.slot=C", "rauc.slot=AB", "my.rauc.slot=A"})
+    EXPECT_THAT(SlotOf(other), IsEmpty()) << other;
+}
+
 class SettingsFolder : public ::testing::Test {
  protected:
   SettingsFolder()
