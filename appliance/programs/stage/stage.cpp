@@ -209,7 +209,7 @@ const board::Snapshot& Stage::WithEvening(const board::Snapshot& live, Time pres
   if (evening_->Lay(presented_at, laid_)) return laid_;
   Log("the evening from the log is over: all operators are live");
   evening_.reset();
-  performance::ForgetCounters(state_.seen);
+  state_.seen = performance::SeenOn(laid_);  // What was called meanwhile was not heard, and is over.
   return laid_;
 }
 
