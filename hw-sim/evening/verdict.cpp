@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kCachesFill_h = 10.0 / 60;
 constexpr std::size_t kLeastSamples = 10;
+// What each act brings for the first time stays in memory: over less than an hour its steps are no slope.
+constexpr double kLeastSpan_h = 1;
 constexpr double kMostSlope_kb_per_h = 64;
 constexpr double kMostLog_kb_per_min = 300;
 constexpr double kBytesPerKb = 1000;
@@ -79,7 +81,8 @@ double MemorySlope_kb_per_h(const Verdict& verdict) {
     xy += at.hours * at.resident_kb;
   }
   const double spread = n * xx - x * x;
-  return n < kLeastSamples || spread <= 0 ? 0 : (n * xy - x * y) / spread;
+  const bool long_enough = !verdict.memory.empty() && verdict.memory.back().hours - from_h >= kLeastSpan_h;
+  return n < kLeastSamples || !long_enough || spread <= 0 ? 0 : (n * xy - x * y) / spread;
 }
 
 json::Object ToJson(const Verdict& verdict) {

@@ -52,8 +52,9 @@ inline bool IsGood(const Verdict& verdict) {
   return WhatIsWrong(verdict).empty();
 }
 
-// By least squares over the samples after the first ten minutes, in which caches fill; 0 with less than ten
-// of them. Of several evenings, the samples after the first one.
+// By least squares over the samples after the first ten minutes, in which caches fill; 0 with less than ten of
+// them, or where they span less than an hour: memory then grows by steps, as each act shows something for the
+// first time. Of several evenings, the samples after the first one.
 double MemorySlope_kb_per_h(const Verdict& verdict);
 
 // As out/evening.json and out/soak.json have it.
