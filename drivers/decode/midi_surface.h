@@ -45,10 +45,11 @@ struct MidiMap {
   bool any = false;  // Nobody wrote one: the lists are empty, and what comes counts by AnyDial and AnyButton.
 };
 
-// What messages of a surface without a map do, on whichever channel: controls turn dials by the lower three bits of
-// their numbers, so that eight in a row are the eight dials; their whole way is a turn of 254 counts. Notes push
-// buttons by the lower five bits. Pedals (controls 64 to 69 of MIDI 1.0) push the buttons 24 to 29; the lower
-// halves of values (32 to 63) and messages for a channel's mode (120 on) do nothing. Nothing: it does neither. Pure.
+// What messages of a surface without a map do, on whichever channel: controls turn dials by the lower three
+// bits of their numbers, so that eight in a row are the eight dials; their whole way is a turn of 254 counts.
+// Notes push buttons by the lower five bits. Pedals (controls 64 to 69 of MIDI 1.0) push the buttons 24 to
+// 29; the lower halves of values (32 to 63) and messages for a channel's mode (120 on) do nothing. Nothing:
+// it does neither. Pure.
 std::optional<std::size_t> AnyDial(const MidiMessage& message);
 std::optional<std::size_t> AnyButton(const MidiMessage& message);
 

@@ -87,7 +87,8 @@ const KnownSurface* MidiBus::MapFor(const Node& node) const {
   return known == surfaces_.end() ? nullptr : &*known;
 }
 
-// One that cannot be opened or read now is tried at the next look. The rest of what was said is the channel's.
+// One that cannot be opened or read now is tried at the next look. The rest of what was said is the
+// channel's.
 bool MidiBus::Listen(Listened& listened, const Node& node) {
   if (listened.has_spoken) return true;
   if (!listened.node.valid()) listened.node = OpenNode(node.path);

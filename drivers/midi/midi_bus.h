@@ -30,8 +30,8 @@ struct MidiFolders {
 };
 
 // As ports::HidBus, with the port names of HidrawBus. The first MIDI port of a USB device is looked for now
-// and then, so that surfaces may come and go. One without a map is listed from its first note or control on, which
-// is lost: until then it may be the socket of a sound card into which nobody has plugged anything.
+// and then, so that surfaces may come and go. One without a map is listed from its first note or control on,
+// which is lost: until then it may be the socket of a sound card into which nobody has plugged anything.
 class MidiBus final : public ports::HidBus {
  public:
   // Borrows the clock, and the surfaces, which may grow no more. Errors: those of timerfd_create(2).

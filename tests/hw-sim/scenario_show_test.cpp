@@ -1,5 +1,5 @@
-// A show in the whole system, on a simulated clock: the lobby with its sensor, and the figures of out/show.json that only the
-// whole system has (tests/appliance/show_report.py).
+// A show in the whole system, on a simulated clock: the lobby with its sensor, and the figures of
+// out/show.json that only the whole system has (tests/appliance/show_report.py).
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -68,8 +68,8 @@ bool IsKept(const State& state, const board::Snapshot& board) {
          std::ranges::any_of(board.keys.value.down, any);
 }
 
-// Whether the sensor says that somebody is there and can be believed. One that has said so for stuck_s without
-// a break is stuck until it says the contrary: people move, and no crowd holds still for so long.
+// Whether the sensor says that somebody is there and can be believed. One that has said so for stuck_s
+// without a break is stuck until it says the contrary: people move, and no crowd holds still for so long.
 bool Sees(LobbyNow& now, const board::Stamped<board::Lines>& lines, const Lobby& lobby, float dt_s) {
   const bool on =
       lines.source == board::SourceState::kLive && board::IsOn(lines.value, board::Line::kPresence);
@@ -189,8 +189,8 @@ void PlayPhase(State& state, const show::Show& show) {
 }
 
 // Begins or ends the lobby where that is due, and gives whether it goes on. One that begins by itself takes
-// her wherever the list stands; another one has her in its own cue alone, and only where a sensor has ever seen
-// somebody: on a box without one the cue is a cue as any other, and she does not fall asleep in it.
+// her wherever the list stands; another one has her in its own cue alone, and only where a sensor has ever
+// seen somebody: on a box without one the cue is a cue as any other, and she does not fall asleep in it.
 bool GoesOn(State& state, const show::Show& show) {
   const bool in_cue = state.cue_run.active == LobbyCue(show) && state.cue_run.pending < 0;
   if (state.lobby.phase == LobbyPhase::kOff) {

@@ -199,8 +199,8 @@ void WriteSetting(const std::string& name, std::string_view text) {
 }
 
 // Leaves in a folder that is there before everything else: for udev's rules a file that is named after the
-// profile, for kaori-input which lines are what, for kaori-stage its time zone and which screen is the operators',
-// and what its status says.
+// profile, for kaori-input which lines are what, for kaori-stage its time zone and which screen is the
+// operators', and what its status says.
 void ApplySettings() {
   auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Report(profile.fault);

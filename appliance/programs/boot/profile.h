@@ -45,8 +45,9 @@ std::string DialsEnvironmentOf(const Profile& profile);
 // For kaori-stage's unit: TZ; empty where no zone is named.
 std::string ClockEnvironmentOf(const Profile& profile);
 
-// Takes away a zone that the box does not know, and says so in one line; empty where all is well. `zones` is the
-// folder of the tz database, whose files are named as the zones are. C's library would take UTC without a word.
+// Takes away a zone that the box does not know, and says so in one line; empty where all is well. `zones` is
+// the folder of the tz database, whose files are named as the zones are. C's library would take UTC without a
+// word.
 std::string DropUnknownZone(Profile& profile, const std::filesystem::path& zones);
 
 // Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one

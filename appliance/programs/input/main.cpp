@@ -47,7 +47,7 @@ constexpr std::string_view kHelp =
   --dials CHIP:A,B,...
                    dials on GPIO lines, two lines for each of them: gpiochip0:4,5,6,7
   --surfaces FOLDER
-                   play surfaces that people own as the files of this folder say, those on MIDI without a file too
+                   play surfaces that people own as the files of this folder say, and any on MIDI
   --links FOLDER   read the simulator's devices, whose sockets are in FOLDER, and its switches where no chip
                    is named
   --gpiochip NAME  the GPIO chip of the foot and service switches: gpiochip0, or its label
