@@ -10,6 +10,11 @@ namespace {
 constexpr int kMiddle = 64;
 constexpr std::uint8_t kFull = 127;
 constexpr std::size_t kMostButtons = 32;
+// Of a surface without a map.
+constexpr std::size_t kAnyPositions = 16 * 128;
+constexpr std::int32_t kAnyCounts = 2;  // Of each step of a control.
+constexpr int kFirstLowerHalf = 32, kFirstPedal = 64, kLastPedal = 69, kFirstPedalButton = 24,
+              kFirstMode = 120;
 
 // Detents or ticks, as the device counts them, clockwise positive. Positions are differenced by the caller.
 std::int32_t TurnOf(MidiDialMode mode, int value) {
@@ -28,15 +33,62 @@ std::int32_t TurnOf(MidiDialMode mode, int value) {
 
 }  // namespace
 
+std::optional<std::size_t> AnyDial(const MidiMessage& message) {
+  const int control = message.number;
+  const bool is_meant = message.kind == MidiMessage::Kind::kControl && control < kFirstMode &&
+                        (control < kFirstLowerHalf || control > kLastPedal);
+  return is_meant ? std::optional(static_cast<std::size_t>(control) % kMaxDials) : std::nullopt;
+}
+
+std::optional<std::size_t> AnyButton(const MidiMessage& message) {
+  const int number = message.number;
+  if (message.kind == MidiMessage::Kind::kNoteOn || message.kind == MidiMessage::Kind::kNoteOff)
+    return static_cast<std::size_t>(number) % kMostButtons;
+  if (message.kind != MidiMessage::Kind::kControl || number < kFirstPedal || number > kLastPedal)
+    return std::nullopt;
+  return static_cast<std::size_t>(kFirstPedalButton + number - kFirstPedal);
+}
+
+MidiSurface::MidiSurface(const MidiMap& map)
+    : map_(map), positions_(map.any ? kAnyPositions : map.dials.size()) {}
+
 // A control that is no dial of the map, or did not turn it, may still be a button.
 bool MidiSurface::Accept(std::uint8_t byte) {
   const auto message = parser_.Accept(byte);
   if (!message || message->kind == MidiMessage::Kind::kOther) return false;
+  if (map_.any) return AcceptAny(*message);
   return message->kind == MidiMessage::Kind::kControl && Turn(*message) ? true : Press(*message);
 }
 
-// The first dial of the map with this channel and control counts; counts wrap at 32 bits by unsigned
-// arithmetic.
+// Where each control stands is known by its channel and number: two of them may turn one dial.
+bool MidiSurface::AcceptAny(const MidiMessage& message) {
+  const bool is_control = message.kind == MidiMessage::Kind::kControl;
+  if (const auto button = AnyButton(message))
+    return Hold(*button, is_control ? message.value >= kMiddle : message.kind == MidiMessage::Kind::kNoteOn);
+  const auto dial = AnyDial(message);
+  if (!dial) return false;
+  auto& position = positions_[static_cast<std::size_t>(message.channel - 1) * 128 + message.number];
+  const std::int32_t turn = kAnyCounts * (message.value - position.value_or(message.value));
+  position = message.value;
+  return Add(*dial, turn);
+}
+
+// Counts wrap at 32 bits by unsigned arithmetic.
+bool MidiSurface::Add(std::size_t dial, std::int32_t turn) {
+  counts_[dial] =
+      static_cast<std::int32_t>(static_cast<std::uint32_t>(counts_[dial]) + static_cast<std::uint32_t>(turn));
+  return turn != 0;
+}
+
+// A message that repeats what is known already changes nothing, so that no report is made of it.
+bool MidiSurface::Hold(std::size_t button, bool is_down) {
+  const std::uint32_t bit = std::uint32_t{1} << button;
+  const std::uint32_t before = down_;
+  down_ = is_down ? down_ | bit : down_ & ~bit;
+  return down_ != before;
+}
+
+// The first dial of the map with this channel and control counts.
 bool MidiSurface::Turn(const MidiMessage& message) {
   for (std::size_t n = 0; n < std::min(map_.dials.size(), counts_.size()); ++n) {
     const MidiDial& dial = map_.dials[n];
@@ -46,14 +98,11 @@ bool MidiSurface::Turn(const MidiMessage& message) {
       turn = message.value - positions_[n].value_or(message.value);
       positions_[n] = message.value;
     }
-    counts_[n] =
-        static_cast<std::int32_t>(static_cast<std::uint32_t>(counts_[n]) + static_cast<std::uint32_t>(turn));
-    return turn != 0;
+    return Add(n, turn);
   }
   return false;
 }
 
-// A message that repeats what is known already changes nothing, so that no report is made of it.
 bool MidiSurface::Press(const MidiMessage& message) {
   const bool is_control = message.kind == MidiMessage::Kind::kControl;
   const bool is_down = is_control ? message.value >= kMiddle : message.kind == MidiMessage::Kind::kNoteOn;
@@ -63,11 +112,7 @@ bool MidiSurface::Press(const MidiMessage& message) {
   };
   const auto found = std::ranges::find_if(map_.buttons, is_meant);
   const auto n = static_cast<std::size_t>(found - map_.buttons.begin());
-  if (found == map_.buttons.end() || n >= kMostButtons) return false;
-  const std::uint32_t bit = std::uint32_t{1} << n;
-  const std::uint32_t before = down_;
-  down_ = is_down ? down_ | bit : down_ & ~bit;
-  return down_ != before;
+  return found != map_.buttons.end() && n < kMostButtons && Hold(n, is_down);
 }
 
 // Note-on or control change, by what the button itself sends; value 127 lights and 0 darkens, since a note-on

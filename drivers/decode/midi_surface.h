@@ -42,12 +42,21 @@ struct MidiMap {
   std::vector<std::uint8_t>
       start;           // Sent once when the device comes: it puts some into the mode that the map speaks of.
   Duration repaint{};  // Lamps are sent again so often, whether they changed or not; 0: never.
+  bool any = false;  // Nobody wrote one: the lists are empty, and what comes counts by AnyDial and AnyButton.
 };
+
+// What messages of a surface without a map do, on whichever channel: controls turn dials by the lower three
+// bits of their numbers, so that eight in a row are the eight dials; their whole way is a turn of 254 counts.
+// Notes push buttons by the lower five bits. Pedals (controls 64 to 69 of MIDI 1.0) push the buttons 24 to
+// 29; the lower halves of values (32 to 63) and messages for a channel's mode (120 on) do nothing. Nothing:
+// it does neither. Pure.
+std::optional<std::size_t> AnyDial(const MidiMessage& message);
+std::optional<std::size_t> AnyButton(const MidiMessage& message);
 
 // Pure; one belongs to one opened device. The map outlives it.
 class MidiSurface {
  public:
-  explicit MidiSurface(const MidiMap& map) : map_(map), positions_(map.dials.size()) {}
+  explicit MidiSurface(const MidiMap& map);
 
   // Returns whether the byte changed anything.
   bool Accept(std::uint8_t byte);
@@ -63,10 +72,15 @@ class MidiSurface {
  private:
   bool Turn(const MidiMessage& message);
   bool Press(const MidiMessage& message);
+  bool AcceptAny(const MidiMessage& message);
+  // Whether that changed anything.
+  bool Add(std::size_t dial, std::int32_t turn);
+  bool Hold(std::size_t button, bool is_down);
 
   const MidiMap& map_;
   MidiParser parser_;
-  std::vector<std::optional<std::uint8_t>> positions_;  // Of dials that tell where they stand.
+  std::vector<std::optional<std::uint8_t>>
+      positions_;  // Of dials that tell where they stand; of any map, by channel and control.
   std::array<std::int32_t, kMaxDials> counts_{};
   std::uint32_t down_ = 0;
   std::optional<std::uint32_t> lit_;  // As the device was last told.

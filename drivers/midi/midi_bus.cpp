@@ -4,11 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include <fmt/format.h>
 
 #include "drivers/base/folder.h"
+#include "drivers/base/log.h"
 #include "drivers/base/open_cause.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/timer.h"
@@ -21,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostIdBytes = 16;
+constexpr int kReadsAtOnce = 16;
+
+const decode::MidiMap kAnyMap{.dials = {}, .buttons = {}, .start = {}, .any = true};
 
 // "1397\n" of idVendor or idProduct; 0 where it cannot be read.
 std::uint16_t IdIn(const fs::path& file) {
@@ -36,6 +41,13 @@ fs::path UsbDeviceAbove(fs::path folder) {
   for (; folder.has_relative_path(); folder = folder.parent_path())
     if (fs::exists(folder / "idVendor", error)) return folder;
   return {};
+}
+
+// ENXIO: it has no way back, for lamps.
+UniqueFd OpenNode(const fs::path& path) {
+  UniqueFd fd(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
+  if (!fd.valid() && errno == ENXIO) fd = UniqueFd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  return fd;
 }
 
 }  // namespace
@@ -61,36 +73,62 @@ Result<std::vector<std::string>> MidiBus::Ports() {
     nodes_[usb.filename().string()] = {
         .path = folders_.nodes / name, .vendor = IdIn(usb / "idVendor"), .product = IdIn(usb / "idProduct")};
   }
+  std::erase_if(listened_, [this](const auto& one) { return !nodes_.contains(one.first); });
   std::vector<std::string> ports;
-  for (const auto& [port, node] : nodes_) ports.push_back(port);
+  for (const auto& [port, node] : nodes_)
+    if (MapFor(node) != nullptr || Listen(listened_[port], node)) ports.push_back(port);
   return ports;
 }
 
-// Each known surface is presented as a dial box, with the descriptor of ours: whoever reads it need not know
+const KnownSurface* MidiBus::MapFor(const Node& node) const {
+  const auto known = std::ranges::find_if(surfaces_, [&](const KnownSurface& surface) {
+    return surface.vendor == node.vendor && surface.product == node.product;
+  });
+  return known == surfaces_.end() ? nullptr : &*known;
+}
+
+// One that cannot be opened or read now is tried at the next look. The rest of what was said is the
+// channel's.
+bool MidiBus::Listen(Listened& listened, const Node& node) {
+  if (listened.has_spoken) return true;
+  if (!listened.node.valid()) listened.node = OpenNode(node.path);
+  std::array<std::uint8_t, 64> bytes{};
+  for (int reads = 0; reads < kReadsAtOnce && listened.node.valid(); ++reads) {
+    const ssize_t got = ::read(listened.node.get(), bytes.data(), bytes.size());
+    if (got < 0 && (errno == EAGAIN || errno == EINTR)) break;
+    if (got <= 0) listened.node.reset();
+    for (ssize_t n = 0; n < got; ++n) {
+      const auto message = listened.parser.Accept(bytes[static_cast<std::size_t>(n)]);
+      listened.has_spoken =
+          listened.has_spoken || (message && (decode::AnyDial(*message) || decode::AnyButton(*message)));
+    }
+  }
+  return listened.has_spoken;
+}
+
+// Each surface is presented as a dial box, with the descriptor of ours: whoever reads it need not know
 // MIDI.
 Result<std::unique_ptr<ports::HidChannel>> MidiBus::Open(const std::string& port) {
   const auto found = nodes_.find(port);
   if (found == nodes_.end()) return Fail(std::errc::no_such_device, "open the MIDI device at " + port);
   const Node& node = found->second;
-  const auto known = std::ranges::find_if(surfaces_, [&](const KnownSurface& surface) {
-    return surface.vendor == node.vendor && surface.product == node.product;
-  });
-  if (known == surfaces_.end())
-    return Fail(std::errc::not_supported,
-                fmt::format("use the MIDI device {:04x}:{:04x} at {}, for which there is no map", node.vendor,
-                            node.product, port));
-  UniqueFd fd(::open(node.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
-  // ENXIO: it has no way back, for lamps.
-  if (!fd.valid() && errno == ENXIO)
-    fd = UniqueFd(::open(node.path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  const KnownSurface* const known = MapFor(node);
+  UniqueFd fd = known == nullptr ? std::move(listened_[port].node) : UniqueFd();
+  if (!fd.valid()) fd = OpenNode(node.path);
   if (!fd.valid()) return Fail(CauseOfOpen(errno), "open " + node.path.string() + " at " + port);
+  if (known == nullptr)
+    Log("the MIDI device {:04x}:{:04x} at {} has no file of its own: its controls are dials and its notes "
+        "buttons, "
+        "each by its number",
+        node.vendor, node.product, port);
   const ports::HidIdentity identity{
       .port = port,
       .vendor = node.vendor,
       .product = node.product,
-      .name = known->name,
+      .name = known == nullptr ? fmt::format("MIDI {:04x}:{:04x}", node.vendor, node.product) : known->name,
       .descriptor = {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()}};
-  return std::make_unique<MidiChannel>(std::move(fd), identity, known->map, clock_);
+  return std::make_unique<MidiChannel>(std::move(fd), identity, known == nullptr ? kAnyMap : known->map,
+                                       clock_);
 }
 
 }  // namespace kaori::midi

@@ -30,8 +30,8 @@ struct MidiFolders {
 };
 
 // As ports::HidBus, with the port names of HidrawBus. The first MIDI port of a USB device is looked for now
-// and then, so that surfaces may come and go. Those without a map are listed too, and Open says not_supported
-// with their ids, which is final.
+// and then, so that surfaces may come and go. One without a map is listed from its first note or control on,
+// which is lost: until then it may be the socket of a sound card into which nobody has plugged anything.
 class MidiBus final : public ports::HidBus {
  public:
   // Borrows the clock, and the surfaces, which may grow no more. Errors: those of timerfd_create(2).
@@ -48,6 +48,15 @@ class MidiBus final : public ports::HidBus {
     std::uint16_t vendor = 0;
     std::uint16_t product = 0;
   };
+  // Of one without a map.
+  struct Listened {
+    UniqueFd node;
+    decode::MidiParser parser;
+    bool has_spoken = false;
+  };
+  const KnownSurface* MapFor(const Node& node) const;
+  // Whether it has spoken until now.
+  static bool Listen(Listened& listened, const Node& node);
   MidiBus(MidiFolders folders, const std::vector<KnownSurface>& surfaces, const Clock& clock, UniqueFd timer)
       : folders_(std::move(folders)), surfaces_(surfaces), clock_(clock), timer_(std::move(timer)) {}
 
@@ -55,7 +64,8 @@ class MidiBus final : public ports::HidBus {
   const std::vector<KnownSurface>& surfaces_;
   const Clock& clock_;
   UniqueFd timer_;
-  std::map<std::string, Node> nodes_;  // By port.
+  std::map<std::string, Node> nodes_;  // By port, as is the next one.
+  std::map<std::string, Listened> listened_;
 };
 
 }  // namespace kaori::midi

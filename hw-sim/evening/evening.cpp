@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -132,12 +133,11 @@ class Evening {
     player_.Perform(at);
   }
 
-  // A GO that was played is seen by the time since it: nothing else sets that back.
+  // GOs are counted by the performance: two may be played within one frame.
   void See(const performance::State& state) {
     ++seen_.pictures;
     seen_.blackout = state.blackout;
-    if (state.go_quiet_s < go_quiet_s_) ++verdict_.go_played;
-    go_quiet_s_ = state.go_quiet_s;
+    verdict_.go_played += state.cue_run.played - std::exchange(gos_played_, state.cue_run.played);
     shown_.last = state.last;
     if (!studio_.drew()) return;
     ++verdict_.pictures_drawn;
@@ -187,7 +187,7 @@ class Evening {
   stage::SmallImage small_;
   std::size_t next_ = 0;
   int seconds_ = 0;
-  float go_quiet_s_ = 0;
+  std::uint32_t gos_played_ = 0;  // By the performance, at the last look.
 };
 
 }  // namespace

@@ -83,7 +83,7 @@ void Print(const kaori::sim::Verdict& verdict) {
 // Evenings until `hours` are played, one at least. What was reached is written also where one of them cannot
 // be played on.
 int PlayAll(const Settings& settings, const kaori::sim::RunningOrder& order, kaori::stage::Studio& studio,
-            double hours, std::uint64_t seed) {
+            double hours, std::uint64_t seed, bool whole) {
   kaori::sim::Verdict all;
   Progress progress;
   int status = 0;
@@ -104,6 +104,7 @@ int PlayAll(const Settings& settings, const kaori::sim::RunningOrder& order, kao
     Add(*evening, all);
     ++seed;
   } while (all.minutes / 60 < hours && stop_asked == 0);
+  all.whole = whole && status == 0 && !all.stopped;
   Print(all);
   if (auto written = WriteReport(settings.json, all); !written) return kaori::ExitWithError(written.error());
   return status != 0 || !IsGood(all) ? 1 : 0;
@@ -117,7 +118,7 @@ int Play(const Settings& settings, double minutes, double hours, std::uint64_t s
   if (minutes > 0) Shorten(*order, kaori::FromSeconds(minutes * 60));
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return kaori::ExitWithError(studio.error());
-  return PlayAll(settings, *order, **studio, hours, seed);
+  return PlayAll(settings, *order, **studio, hours, seed, minutes <= 0);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "hw-sim/evening/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,9 +11,14 @@ namespace {
 
 constexpr double kCachesFill_h = 10.0 / 60;
 constexpr std::size_t kLeastSamples = 10;
+// What each act brings for the first time stays in memory: over less than an hour its steps are no slope.
+constexpr double kLeastSpan_h = 1;
 constexpr double kMostSlope_kb_per_h = 64;
 constexpr double kMostLog_kb_per_min = 300;
 constexpr double kBytesPerKb = 1000;
+// Of each whole evening.
+constexpr std::uint64_t kLeastCues = 60, kLeastFaults = 15;
+constexpr double kLeastMinutes = 100;
 
 double LogPerMinute_kb(const Verdict& verdict) {
   return verdict.minutes > 0 ? static_cast<double>(verdict.log_bytes) / kBytesPerKb / verdict.minutes : 0;
@@ -62,6 +68,13 @@ std::vector<std::string> WhatIsWrong(const Verdict& verdict) {
                     verdict.open_files_start));
   bound(LogPerMinute_kb(verdict) <= kMostLog_kb_per_min,
         fmt::format("the log takes {:.0f} KB a minute", LogPerMinute_kb(verdict)));
+  const auto evenings = static_cast<std::uint64_t>(std::max(verdict.evenings, 1));
+  bound(!verdict.whole || verdict.minutes >= kLeastMinutes * static_cast<double>(evenings),
+        fmt::format("{} evenings have {:.0f} minutes", evenings, verdict.minutes));
+  bound(!verdict.whole || verdict.cues >= kLeastCues * evenings,
+        fmt::format("{} evenings have {} cues", evenings, verdict.cues));
+  bound(!verdict.whole || verdict.faults >= kLeastFaults * evenings,
+        fmt::format("{} evenings have {} faults", evenings, verdict.faults));
   bound(MemorySlope_kb_per_h(verdict) <= kMostSlope_kb_per_h,
         fmt::format("memory grows by {:.0f} KB an hour", MemorySlope_kb_per_h(verdict)));
   return wrong;
@@ -79,7 +92,8 @@ double MemorySlope_kb_per_h(const Verdict& verdict) {
     xy += at.hours * at.resident_kb;
   }
   const double spread = n * xx - x * x;
-  return n < kLeastSamples || spread <= 0 ? 0 : (n * xy - x * y) / spread;
+  const bool long_enough = !verdict.memory.empty() && verdict.memory.back().hours - from_h >= kLeastSpan_h;
+  return n < kLeastSamples || !long_enough || spread <= 0 ? 0 : (n * xy - x * y) / spread;
 }
 
 json::Object ToJson(const Verdict& verdict) {

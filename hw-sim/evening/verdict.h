@@ -37,6 +37,7 @@ struct Verdict {
   int open_files_start = 0, open_files_end = 0;
   double seconds = 0;  // Of real time, for all of it.
   bool stopped = false;
+  bool whole = false;  // Each evening was played to its end: bounds of its length and of its counts hold too.
   std::vector<MemoryAt> memory;
   std::vector<std::string>
       wrong;  // A sentence for each thing that is not as it must be, with its line in the file.
@@ -45,15 +46,16 @@ struct Verdict {
 // Adds another evening behind those before it.
 void Add(const Verdict& evening, Verdict& to);
 
-// All of `wrong`, and a sentence for each figure beyond its bound. Bounds that only a whole evening can keep
-// (its length, its counts) are not looked at.
+// All of `wrong`, and a sentence for each figure beyond its bound. How long it took is the machine's, and has
+// none.
 std::vector<std::string> WhatIsWrong(const Verdict& verdict);
 inline bool IsGood(const Verdict& verdict) {
   return WhatIsWrong(verdict).empty();
 }
 
 // By least squares over the samples after the first ten minutes, in which caches fill; 0 with less than ten
-// of them. Of several evenings, the samples after the first one.
+// of them, or where they span less than an hour: memory then grows by steps, as each act shows something for
+// the first time. Of several evenings, the samples after the first one.
 double MemorySlope_kb_per_h(const Verdict& verdict);
 
 // As out/evening.json and out/soak.json have it.

@@ -65,6 +65,28 @@ TEST(MidiSurface, EachModeOfADialTurnsItsWay) {
   }
 }
 
+TEST(MidiSurface, WithoutAMapControlsAreDialsAndNotesButtonsByTheirNumbersOnAnyChannel) {
+  const MidiMap map{.dials = {}, .buttons = {}, .start = {}, .any = true};
+  MidiSurface surface(map);
+  const auto accept = [&surface](std::initializer_list<int> bytes) {
+    bool changed = false;
+    for (const int byte : bytes) changed = surface.Accept(static_cast<std::uint8_t>(byte)) || changed;
+    return changed;
+  };
+  EXPECT_FALSE(accept({0xB4, 17, 10})) << "where it stands was not known before";
+  EXPECT_TRUE(accept({0xB4, 17, 40}));
+  EXPECT_EQ(surface.counts()[1], 60);
+  EXPECT_FALSE(accept({0xB5, 17, 90})) << "another channel's control stands elsewhere";
+  EXPECT_TRUE(accept({0xB5, 17, 80}));
+  EXPECT_EQ(surface.counts()[1], 40);
+  EXPECT_FALSE(accept({0xB0, 40, 1, 40, 100, 121, 0, 121, 127})) << "lower halves, and a channel's mode";
+  EXPECT_TRUE(accept({0x99, 36, 100}));
+  EXPECT_EQ(surface.buttons_down(), 1U << 4U);
+  EXPECT_TRUE(accept({0x89, 36, 0, 0xB0, 64, 127}));
+  EXPECT_EQ(surface.buttons_down(), 1U << 24U) << "the pedal";
+  EXPECT_TRUE(surface.LampBytes(0xFFFFFFFF, true).empty());
+}
+
 TEST(MidiSurface, LampsAreSentWhereTheyChangeAndAllOfThemAgain) {
   const MidiMap map{.dials = {},
                     .buttons = {{.channel = 2, .number = 5, .has_lamp = true},

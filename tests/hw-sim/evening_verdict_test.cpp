@@ -150,6 +150,26 @@ TEST(AVerdict, IsBadByEachOfItsFigures) {
   EXPECT_THAT(wrong(&Verdict::log_bytes, 30'100'000), ElementsAre("the log takes 301 KB a minute"));
 }
 
+TEST(AVerdict, OfWholeEveningsIsBadWhereTheyAreShortOrHaveFewCuesOrFaults) {
+  Verdict good;
+  good.evenings = 2;
+  good.minutes = 200;
+  good.frames = 360000;
+  good.cues = 120;
+  good.faults = 30;
+  good.whole = true;
+  EXPECT_THAT(WhatIsWrong(good), IsEmpty());
+  Verdict bad = good;
+  bad.minutes = 199;
+  bad.cues = 119;
+  bad.faults = 29;
+  using ::testing::ElementsAre;
+  EXPECT_THAT(WhatIsWrong(bad), ElementsAre("2 evenings have 199 minutes", "2 evenings have 119 cues",
+                                            "2 evenings have 29 faults"));
+  bad.whole = false;
+  EXPECT_THAT(WhatIsWrong(bad), IsEmpty()) << "only a part was played";
+}
+
 TEST(AVerdict, IsBadWhereMemoryGrowsOrAFileStaysOpen) {
   Verdict verdict;
   verdict.evenings = 1;
@@ -161,6 +181,9 @@ TEST(AVerdict, IsBadWhereMemoryGrowsOrAFileStaysOpen) {
   EXPECT_TRUE(IsGood(verdict));
   for (MemoryAt& at : verdict.memory) at.resident_kb += 5 * at.hours;
   EXPECT_FALSE(IsGood(verdict));
+  verdict.minutes = 50;
+  verdict.memory.resize(50);
+  EXPECT_TRUE(IsGood(verdict)) << "half an evening is too short to tell growth from what an act brings";
   verdict.memory.clear();
   verdict.open_files_end = 1;
   EXPECT_FALSE(IsGood(verdict));

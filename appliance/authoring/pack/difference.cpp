@@ -79,6 +79,7 @@ std::vector<std::string> Differences(const show::Show& before, const show::Show&
                   CompareScene(item, {before, a}, {after, b}, lines);
                 });
   CompareControls(before, after, lines);
+  CompareLobby(before, after, lines);
   return lines;
 }
 

@@ -115,8 +115,8 @@ bool BeginsByItself(toml::Section& file) {
 }  // namespace
 
 void ReadLobbyFile(Script& script, toml::Section file) {
-  file.AllowOnly({"cue", "by_itself", "visitor", "arrive_s", "leave_s", "stay_s", "sleep_s", "sleep_light",
-                  "hand_back_s", "greeting", "stay", "goodbye", "hours"});
+  file.AllowOnly({"cue", "by_itself", "visitor", "arrive_s", "leave_s", "stuck_s", "stay_s", "sleep_s",
+                  "sleep_light", "hand_back_s", "greeting", "stay", "goodbye", "hours"});
   const auto seconds = [&file](const char* key, float otherwise, float least) {
     return file.FloatOr(key, otherwise, least, show::kLongestLobby_s, " s");
   };
@@ -127,6 +127,7 @@ void ReadLobbyFile(Script& script, toml::Section file) {
       IndexOf(file, "visitor", "gaze target", script.show.gaze_targets, file.TextOr("visitor", "camera")));
   lobby.arrive_s = seconds("arrive_s", lobby.arrive_s, 0);
   lobby.leave_s = seconds("leave_s", lobby.leave_s, 0);
+  lobby.stuck_s = seconds("stuck_s", lobby.stuck_s, 60);
   lobby.stay_s = seconds("stay_s", lobby.stay_s, 1);
   lobby.sleep_s = seconds("sleep_s", lobby.sleep_s, 1);
   lobby.hand_back_s = seconds("hand_back_s", lobby.hand_back_s, 1);

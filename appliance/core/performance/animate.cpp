@@ -77,21 +77,25 @@ float StepTo(State& state, Time presented_at) {
 }
 
 // The time since the last GO is that of people: a stage that was away, or a machine that hung, does not make
-// the guard longer than it is, or a GO that was called meanwhile would be refused as a slip.
-void CountQuiet(State& state, Time presented_at) {
+// the guard longer than it is, or a GO that was called meanwhile would be refused as a slip. Gives the time
+// since the frame before.
+float CountQuiet(State& state, Time presented_at) {
   const auto passed_s = static_cast<float>(std::max(0.0, Seconds(presented_at - state.last)));
-  for (float* quiet_s : {&state.go_quiet_s, &state.cue_run.since_refused_s, &state.since_locked_out_s})
+  for (float* quiet_s : {&state.cue_run.since_refused_s, &state.since_locked_out_s})
     *quiet_s = std::min(kLongAgo_s, *quiet_s + passed_s);
+  state.go_quiet_s = std::min(kLongSinceGo_s, state.go_quiet_s + passed_s);
+  return passed_s;
 }
 
-// Moves the state by dt_s. Calls come before everything that they set on its way; dials come after calls,
-// since a fresh call puts its dial to 1 and a turn within the same frame counts from there.
+// Moves the state by dt_s, where passed_s have passed for people. Calls come before everything that they set
+// on its way; dials come after calls, since a fresh call puts its dial to 1 and a turn within the same frame
+// counts from there.
 void MoveOn(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
-            float dt_s) {
+            float dt_s, float passed_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
   LetUp(state, board, show, At(state.knobs, Knob::kFade));
   const bool was_locked = state.locked != 0;
-  PlayCalls(state, events, show);
+  PlayCalls(state, events, show, passed_s);
   MoveLevels(state, board, events, show.roles, dt_s);
   HandleLines(state, board.lines, dt_s);
   PlayCues(state, board, show, dt_s);
@@ -164,9 +168,9 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
                   const show::Show& show, Time presented_at) {
   Performed performed{previous, {}, 0};
   State& state = performed.state;
-  CountQuiet(state, presented_at);
+  const float passed_s = CountQuiet(state, presented_at);
   const float dt_s = StepTo(state, presented_at);
-  MoveOn(state, board, events, show, dt_s);
+  MoveOn(state, board, events, show, dt_s, passed_s);
 
   scene::Scene& scene = performed.scene;
   Motion motion = PlayMotions(state, show, PlayTime(state, dt_s));

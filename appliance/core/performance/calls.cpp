@@ -43,8 +43,9 @@ void CallMotion(State& state, const show::Show& show, std::int32_t motion) {
 }
 
 // Faces and expressions fade as they say themselves; those that say nothing, and styles, as long as the Fade
-// dial says; scenes as long as they say themselves. `control` is what was pushed, as Kept has it.
-void Obey(State& state, const show::Call& call, std::uint16_t control, const show::Show& show) {
+// dial says; scenes as long as they say themselves. `control` is what was pushed `ago_s` before the frame, as
+// Kept has it.
+void Obey(State& state, const show::Call& call, std::uint16_t control, const show::Show& show, float ago_s) {
   const float fade_s = At(state.knobs, Knob::kFade);
   if (call.mode == show::CallMode::kToggle) return Toggle(state, show, call, fade_s);
   if (call.mode == show::CallMode::kMomentary) return KeepDown(state, show, call, control, fade_s);
@@ -66,7 +67,7 @@ void Obey(State& state, const show::Call& call, std::uint16_t control, const sho
       CallScene(state, show, call.index);
       break;
     case show::CallKind::kCue:
-      CallCue(state, show, static_cast<show::CueVerb>(call.index));
+      CallCue(state, show, static_cast<show::CueVerb>(call.index), ago_s);
       break;
     case show::CallKind::kSheet:
       state.sheet = call.index;
@@ -79,10 +80,10 @@ void Obey(State& state, const show::Call& call, std::uint16_t control, const sho
 
 // A key does all that the show has for it. X shuts the character's left eye and Z the right one, which is how
 // they lie before the operator.
-void Struck(State& state, std::uint16_t usage, const show::Show& show) {
+void Struck(State& state, std::uint16_t usage, const show::Show& show, float ago_s) {
   for (const show::KeyCall& key : show.keys)
     if (key.key_usage == usage && !IsLockedOut(state, key.call))
-      Obey(state, key.call, static_cast<std::uint16_t>(kFirstKeyControl + usage), show);
+      Obey(state, key.call, static_cast<std::uint16_t>(kFirstKeyControl + usage), show, ago_s);
   if (state.locked != 0) return;
   if (usage == key::kSpace || usage == key::kX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
   if (usage == key::kSpace || usage == key::kZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
@@ -94,12 +95,12 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show) {
 
 // The code of a key is its usage; that of a button is its number, which calls what the
 // sheet that is there says.
-void Handle(State& state, const Press& press, const show::Show& show) {
+void Handle(State& state, const Press& press, const show::Show& show, float ago_s) {
   if (IsLockedOut(state, press, show)) return NoteLockedOut(state, &press);
   if (press.IsKey())
-    Struck(state, press.code, show);
+    Struck(state, press.code, show, ago_s);
   else
-    Obey(state, ButtonOf(state, show, press.code), press.code, show);
+    Obey(state, ButtonOf(state, show, press.code), press.code, show, ago_s);
 }
 
 // The place in the list of the cue that a call names; -1 where it has none such.
@@ -111,10 +112,10 @@ std::int32_t CueOf(const show::Show& show, std::uint32_t number_key) {
 }
 
 // A verb needs no cue; the two other calls name one by its key. False: the show has no such verb or cue.
-bool HandleCueCall(State& state, const board::Call& call, const show::Show& show) {
+bool HandleCueCall(State& state, const board::Call& call, const show::Show& show, float ago_s) {
   if (call.verb == board::CallVerb::kCue) {
     if (call.subject >= static_cast<std::uint32_t>(show::kCueVerbCount)) return false;
-    CallCue(state, show, static_cast<show::CueVerb>(call.subject));
+    CallCue(state, show, static_cast<show::CueVerb>(call.subject), ago_s);
     return true;
   }
   const std::int32_t cue = CueOf(show, call.subject);
@@ -127,7 +128,7 @@ bool HandleCueCall(State& state, const board::Call& call, const show::Show& show
 }
 
 // False where the show has not what is called.
-bool Handle(State& state, const board::Call& call, const show::Show& show) {
+bool Handle(State& state, const board::Call& call, const show::Show& show, float ago_s) {
   const auto level = static_cast<show::Level>(call.subject);
   if (IsLockedOut(state, call)) {
     NoteLockedOut(state, nullptr);
@@ -137,7 +138,7 @@ bool Handle(State& state, const board::Call& call, const show::Show& show) {
     case board::CallVerb::kCue:
     case board::CallVerb::kGoTo:
     case board::CallVerb::kStandBy:
-      return HandleCueCall(state, call, show);
+      return HandleCueCall(state, call, show, ago_s);
     case board::CallVerb::kLevel:
     case board::CallVerb::kLetGo:
       if (call.subject >= show::kNamedLevels + show.roles.mixes.size()) return false;
@@ -161,9 +162,25 @@ bool Handle(State& state, const board::Call& call, const show::Show& show) {
 }
 
 // Presses have 32 bits of microseconds, whose difference tells the order of any two within half an hour.
+std::int32_t Since_us(const Press& press, Time at) {
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(at.time_since_epoch()).count();
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(us) - press.at_us);
+}
 bool IsEarlier(const board::Call& call, const Press& press) {
-  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(call.at.time_since_epoch()).count();
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(us) - press.at_us) < 0;
+  return Since_us(press, call.at) < 0;
+}
+
+// What is called in a frame was called since the one before, of which the board was read a little before it
+// was presented. Any other time is of another clock, and counts as that of the frame.
+constexpr float kReadAhead_s = 0.5F;
+float AgoWithin(float ago_s, float passed_s) {
+  return ago_s >= 0 && ago_s <= passed_s + kReadAhead_s ? ago_s : 0;
+}
+float Ago_s(const Press& press, Time now) {
+  return static_cast<float>(Since_us(press, now)) * 1e-6F;
+}
+float Ago_s(const board::Call& call, Time now) {
+  return static_cast<float>(Seconds(now - call.at));
 }
 
 }  // namespace
@@ -199,16 +216,17 @@ void EnterScene(State& state, const show::Show& show, std::uint16_t index, float
 }
 
 // Both are in order already; on equal times the press comes first, which is of no account.
-void PlayCalls(State& state, const InputEvents& events, const show::Show& show) {
+void PlayCalls(State& state, const InputEvents& events, const show::Show& show, float passed_s) {
   auto calls = events.calls();
+  const auto ago_s = [&](const auto& one) { return AgoWithin(Ago_s(one, state.last), passed_s); };
   const auto call_next = [&] {
-    if (!Handle(state, calls.front(), show)) ++state.calls_refused;
+    if (!Handle(state, calls.front(), show, ago_s(calls.front()))) ++state.calls_refused;
     calls = calls.subspan(1);
   };
   state.calls_lost += events.lost_calls();
   for (const Press& press : events.presses()) {
     while (!calls.empty() && IsEarlier(calls.front(), press)) call_next();
-    Handle(state, press, show);
+    Handle(state, press, show, ago_s(press));
   }
   while (!calls.empty()) call_next();
 }

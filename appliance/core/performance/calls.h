@@ -11,7 +11,8 @@ namespace kaori::performance {
 // buttons call faces, expressions, styles, scenes and registered motions; keys too, and they blink and wink.
 // A motion that loops ends when it is called once more. What a button or key calls exists in the show:
 // CheckShow has refused others. A call on the board that names what the show has not is refused and counted.
-void PlayCalls(State& state, const InputEvents& events, const show::Show& show);
+// `passed_s` is the time since the frame before, of which the calls are.
+void PlayCalls(State& state, const InputEvents& events, const show::Show& show, float passed_s);
 
 // A fresh call takes over whole, whatever its dial said about the one before: the dial is full. `face` and
 // `expression` are below the counts of the show's. A fade of 0 changes at once. Toggles of the same kind end

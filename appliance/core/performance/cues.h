@@ -12,11 +12,12 @@
 
 namespace kaori::performance {
 
-// Does at once what a person called. A GO within the list's guard after the last one, or after the last cue,
-// is refused and counted. A GO while a chain of cues still waits first plays what is left of that chain, so
+// Does at once what a person called `ago_s` before the moment of this frame, from 0 on. A GO within the
+// list's guard after the last one, by the times at which people called, or after the last cue, is refused and
+// counted. A GO while a chain of cues still waits first plays what is left of that chain, so
 // that nothing which the list sets is ever missed. `show.cue_list` is tracked (show::Track). Does nothing
 // where the list was not tracked. Allocates nothing.
-void CallCue(State& state, const show::Show& show, show::CueVerb verb);
+void CallCue(State& state, const show::Show& show, show::CueVerb verb, float ago_s = 0);
 
 // Fades within the list's goto_s into what stands after cue number `index`, whatever was played before, and
 // stands by for the cue after it. A cue that others follow by themselves is jumped to with all of those. -1:

@@ -42,7 +42,8 @@ bool IsThere(const board::Stamped<T>& section) {
   return section.source != board::SourceState::kAbsent;
 }
 
-// Where a section is seen for the first time on another board, nothing has happened since.
+// Where a section is seen for the first time on another board, nothing has happened since. Calls are told by
+// their times instead (FreshCalls).
 void Adopt(SeenInput& seen, const board::Snapshot& board) {
   if (IsThere(board.surface) && std::exchange(seen.surface_unknown, 0) != 0) {
     seen.dials = board.surface.value.counts;
@@ -50,14 +51,28 @@ void Adopt(SeenInput& seen, const board::Snapshot& board) {
   }
   if (IsThere(board.keys) && std::exchange(seen.keys_unknown, 0) != 0)
     seen.key_presses = board.keys.value.log.count;
-  for (std::size_t i = 0; i < board.calls.size(); ++i)
-    if (const auto bit = static_cast<std::uint8_t>(1U << i);
-        IsThere(board.calls[i]) && (seen.calls_unknown & bit) != 0) {
-      seen.calls_unknown = static_cast<std::uint8_t>(seen.calls_unknown & ~bit);
-      seen.calls[i] = board.calls[i].value.count;
-    }
   if (IsThere(board.pointer) && std::exchange(seen.pointer_unknown, 0) != 0)
     seen.pointer = board.pointer.value;
+}
+
+const board::Call& CallBefore(const board::Calls& log, std::uint32_t count) {
+  return log.newest[(count - 1) % board::Calls::kKept];
+}
+
+// How many calls at the log's end nobody was told of. On another board a writer may have begun to count anew,
+// and its calls are known by their times: those of one writer are in order.
+std::uint32_t FreshCalls(const board::Calls& log, const SeenInput& seen, std::size_t writer) {
+  if ((seen.calls_unknown & 1U << writer) == 0) return log.count - seen.calls[writer];
+  const std::uint32_t kept = std::min<std::uint32_t>(log.count, board::Calls::kKept);
+  std::uint32_t fresh = 0;
+  while (fresh < kept && CallBefore(log, log.count - fresh).at > seen.called_at[writer]) ++fresh;
+  return fresh;
+}
+
+void NoteSeen(const board::Calls& log, SeenInput& seen, std::size_t writer) {
+  seen.calls[writer] = log.count;
+  seen.calls_unknown = static_cast<std::uint8_t>(seen.calls_unknown & ~(1U << writer));
+  if (log.count != 0) seen.called_at[writer] = CallBefore(log, log.count).at;
 }
 
 // Merges what lies in [middle, end) into the calls before it, without the memory that std::inplace_merge
@@ -102,7 +117,8 @@ void InputEvents::AddCalls(SeenInput& seen, const board::Snapshot& board) {
   for (std::size_t i = 0; i < board.calls.size(); ++i) {
     if (!IsThere(board.calls[i])) continue;
     const board::Calls& log = board.calls[i].value;
-    const std::uint32_t fresh = log.count - std::exchange(seen.calls[i], log.count);
+    const std::uint32_t fresh = FreshCalls(log, seen, i);
+    NoteSeen(log, seen, i);
     const std::uint32_t kept = std::min<std::uint32_t>(fresh, board::Calls::kKept);
     lost_calls_ += fresh - kept;
     const auto begin = calls_.begin() + static_cast<std::ptrdiff_t>(call_count_);
@@ -114,11 +130,12 @@ void InputEvents::AddCalls(SeenInput& seen, const board::Snapshot& board) {
 }
 
 SeenInput SeenOn(const board::Snapshot& board) {
-  return {.dials = board.surface.value.counts,
-          .button_presses = board.surface.value.log.count,
-          .key_presses = board.keys.value.log.count,
-          .calls = {board.calls[0].value.count, board.calls[1].value.count},
-          .pointer = board.pointer.value};
+  SeenInput seen{.dials = board.surface.value.counts,
+                 .button_presses = board.surface.value.log.count,
+                 .key_presses = board.keys.value.log.count,
+                 .pointer = board.pointer.value};
+  for (std::size_t i = 0; i < board.calls.size(); ++i) NoteSeen(board.calls[i].value, seen, i);
+  return seen;
 }
 
 // Adoption comes first: where a section is of another board its counters are taken over,

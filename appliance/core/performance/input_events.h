@@ -35,8 +35,12 @@ struct SeenInput {
   std::uint32_t key_presses = 0;
   std::array<std::uint32_t, board::kCallWriters> calls{};
   board::Pointer pointer;
-  // 1: the counters above are of another board. What the section shows next is taken as seen.
+  // 1: the counters above are of another board. What the section shows next is taken as seen; of
+  // calls_unknown, a bit for each writer, what is newer than `called_at`.
   std::uint8_t surface_unknown = 0, keys_unknown = 0, calls_unknown = 0, pointer_unknown = 0;
+  // When the newest call of each writer was made that was told of. Counters begin anew on another board, and
+  // times do not.
+  std::array<Time, board::kCallWriters> called_at{};
 };
 
 // The events of one frame. A plain value without memory of its own; one thread.
@@ -110,8 +114,9 @@ SeenInput SeenOn(const board::Snapshot& board);
 InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board);
 
 // The board is another one than that of `seen`: its counters are taken as they are found. To be called while
-// SnapshotReader::settling(): each section's counters are adopted when it is seen first, so that what
-// happened on the way from one board to the other is lost rather than invented.
+// SnapshotReader::settling(): each section's counters are adopted when it is seen first, so that presses on
+// the way from one board to the other are lost rather than invented. Calls have whole times: each is told of
+// once, whenever its writer comes to the new board.
 void ForgetCounters(SeenInput& seen);
 
 }  // namespace kaori::performance

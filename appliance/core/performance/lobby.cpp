@@ -68,10 +68,18 @@ bool IsKept(const State& state, const board::Snapshot& board) {
          std::ranges::any_of(board.keys.value.down, any);
 }
 
+// Whether the sensor says that somebody is there and can be believed. One that has said so for stuck_s
+// without a break is stuck until it says the contrary: people move, and no crowd holds still for so long.
+bool Sees(LobbyNow& now, const board::Stamped<board::Lines>& lines, const Lobby& lobby, float dt_s) {
+  const bool on =
+      lines.source == board::SourceState::kLive && board::IsOn(lines.value, board::Line::kPresence);
+  now.on_s = on ? std::min(now.on_s + dt_s, lobby.stuck_s) : 0;
+  return on && now.on_s < lobby.stuck_s;
+}
+
 // The sensor's word counts when it has stood for a while. One that is gone sees nobody.
 void Sense(LobbyNow& now, const board::Stamped<board::Lines>& lines, const Lobby& lobby, float dt_s) {
-  const bool sees =
-      lines.source == board::SourceState::kLive && board::IsOn(lines.value, board::Line::kPresence);
+  const bool sees = Sees(now, lines, lobby, dt_s);
   if (sees == (now.someone != 0)) {
     now.changing_s = 0;
     return;
@@ -79,6 +87,7 @@ void Sense(LobbyNow& now, const board::Stamped<board::Lines>& lines, const Lobby
   now.changing_s += dt_s;
   if (now.changing_s < (sees ? lobby.arrive_s : lobby.leave_s)) return;
   now.someone = sees ? 1 : 0;
+  now.sensed = 1;
   now.changing_s = 0;
 }
 
@@ -180,11 +189,13 @@ void PlayPhase(State& state, const show::Show& show) {
 }
 
 // Begins or ends the lobby where that is due, and gives whether it goes on. One that begins by itself takes
-// her wherever the list stands; another one has her in its own cue alone.
+// her wherever the list stands; another one has her in its own cue alone, and only where a sensor has ever
+// seen somebody: on a box without one the cue is a cue as any other, and she does not fall asleep in it.
 bool GoesOn(State& state, const show::Show& show) {
   const bool in_cue = state.cue_run.active == LobbyCue(show) && state.cue_run.pending < 0;
   if (state.lobby.phase == LobbyPhase::kOff) {
-    if (!in_cue && !show.lobby->by_itself) return false;
+    const bool due = show.lobby->by_itself || (in_cue && state.lobby.sensed != 0);
+    if (!due) return false;
     if (!in_cue) GoToCue(state, show, static_cast<std::int32_t>(show.lobby->cue));
     Enter(state.lobby, LobbyPhase::kWaiting, show.lobby->sleep_s);
     return false;
@@ -195,6 +206,10 @@ bool GoesOn(State& state, const show::Show& show) {
 }
 
 }  // namespace
+
+bool IsSensorStuck(const LobbyNow& now, const show::Show& show) {
+  return show.lobby && now.on_s >= show.lobby->stuck_s;
+}
 
 bool KnowsHours(const LobbyNow& now, const Lobby& lobby) {
   return !lobby.hours.empty() && now.week_minute >= 0;
@@ -247,9 +262,9 @@ bool IsValidLobby(const LobbyNow& now, const show::Show& show) {
   return static_cast<std::uint32_t>(now.phase) < kLobbyPhaseCount &&
          within(now.left_s, show::kLongestLobby_s + show::kLongestMotion_s + 1) &&
          within(now.changing_s, show::kLongestLobby_s + 1) && within(now.asleep, 1) && now.someone <= 1 &&
-         played(now.greeting, lobby.greetings.size()) && played(now.stay, lobby.stays.size()) &&
-         played(now.goodbye, lobby.goodbyes.size()) && now.week_minute >= kNoWeekMinute &&
-         now.week_minute < show::kWeekMinutes &&
+         now.sensed <= 1 && within(now.on_s, lobby.stuck_s) && played(now.greeting, lobby.greetings.size()) &&
+         played(now.stay, lobby.stays.size()) && played(now.goodbye, lobby.goodbyes.size()) &&
+         now.week_minute >= kNoWeekMinute && now.week_minute < show::kWeekMinutes &&
          std::ranges::all_of(now.sliders, [&](float slider) { return within(slider, 1); });
 }
 

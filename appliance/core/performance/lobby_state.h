@@ -29,11 +29,16 @@ struct LobbyNow {
   float changing_s = 0;        // For how long the sensor has said the contrary of `someone`.
   float asleep = 0;            // 0 awake .. 1 asleep, on its way.
   std::uint32_t someone = 0;   // 1: somebody is there, as the sensor says without its flicker.
+  std::uint32_t sensed = 0;    // 1: the sensor has seen somebody since the show began: there is one.
+  float on_s = 0;              // For how long it has said so without a break, up to the lobby's stuck_s.
   std::int32_t greeting = -1;  // Of each list the take that was played last; -1: none was.
   std::int32_t stay = -1, goodbye = -1;
   std::int32_t week_minute = kNoWeekMinute;  // Of local time, as it was told last.
   std::array<float, 2> sliders{};            // Of the sticks, as they stood when they were moved last.
 };
+
+// Whether the sensor has said for so long that somebody is there that it is taken for stuck.
+bool IsSensorStuck(const LobbyNow& now, const show::Show& show);
 
 // Whether such a state can be gone on with.
 bool IsValidLobby(const LobbyNow& now, const show::Show& show);

@@ -57,7 +57,8 @@ struct CueRun {
   float held_s = 0;          // For how long the person has done what the cue waits for.
   std::uint32_t paused = 0;  // 1: waits, fades and motions stand still.
   std::uint32_t panicking = 0;  // 1: the panic scene is on its way; a second call is at once.
-  std::uint32_t refused = 0;    // GOs that the guard or the end of the list refused, counted.
+  std::uint32_t played = 0;     // GOs that were played, counted,
+  std::uint32_t refused = 0;    // and those that the guard or the end of the list refused; both wrap.
   float since_refused_s = 10;   // Since the last one of them.
 };
 
@@ -68,12 +69,15 @@ struct Sway {
   glm::vec2 head_rad{};  // The head at the last frame.
 };
 
-inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop.
+inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop,
+// and that of the last GO, which is compared with GOs from before a long pause of the stage.
+inline constexpr float kLongSinceGo_s = 3600;
 
-// All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
+// All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for
+// StickNow::lost_s and go_quiet_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 15;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 16;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -120,13 +124,13 @@ struct State {
   float mouth_drive = 0;  // 0: the expression's mouth .. 1: the dial's, the lips' or the voice's.
   float mouth_said = 0;   // The same of its opening, which does not wait.
   float mouth_quiet_s = 10;
-  float mouth_voice = 0;           // 0: the lips have the mouth .. 1: the voice has it.
-  float lips_lost_s = 10;          // Since the lips were seen well.
-  float blackout = 0;              // 0 lit .. 1 black, on its way.
-  float go_quiet_s = 10;           // Since the last GO.
-  std::uint16_t black_called = 0;  // 1: black by a call; the switch blacks out besides.
-  std::uint16_t black_wanted = 0;  // 1: the switch is on, or was when it was lost.
-  std::uint16_t black_scene = 0;   // The scene at the last look at that switch.
+  float mouth_voice = 0;              // 0: the lips have the mouth .. 1: the voice has it.
+  float lips_lost_s = 10;             // Since the lips were seen well.
+  float blackout = 0;                 // 0 lit .. 1 black, on its way.
+  float go_quiet_s = kLongSinceGo_s;  // Since the last GO was called.
+  std::uint16_t black_called = 0;     // 1: black by a call; the switch blacks out besides.
+  std::uint16_t black_wanted = 0;     // 1: the switch is on, or was when it was lost.
+  std::uint16_t black_scene = 0;      // The scene at the last look at that switch.
   // The scene that was entered last.
   std::uint16_t scene = 0;
   LobbyNow lobby;

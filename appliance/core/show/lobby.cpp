@@ -26,7 +26,8 @@ void CheckLobbyTakes(const Show& show, const char* what, const std::vector<Lobby
 
 // NaN lies within nothing.
 void CheckLobbyTimes(const Lobby& lobby, LobbyFaults& faults) {
-  for (const float time_s : {lobby.arrive_s, lobby.leave_s, lobby.stay_s, lobby.sleep_s, lobby.hand_back_s})
+  for (const float time_s :
+       {lobby.arrive_s, lobby.leave_s, lobby.stuck_s, lobby.stay_s, lobby.sleep_s, lobby.hand_back_s})
     if (!(time_s >= 0 && time_s <= kLongestLobby_s))
       faults.push_back(fmt::format("lobby: a time is {} s, not within 0 to {}", time_s, kLongestLobby_s));
   if (!(lobby.sleep_light >= 0 && lobby.sleep_light <= 1))

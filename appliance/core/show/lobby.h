@@ -38,11 +38,12 @@ struct Lobby {
   std::int32_t visitor = 0;            // At whom she looks: of the show's gaze targets.
   float arrive_s = 0.3F;               // The sensor must see somebody so long,
   float leave_s = 4;                   // and nobody so long: it flickers.
-  float stay_s = 20;                   // From one take until the next for somebody who stays.
-  float sleep_s = 60;                  // She sleeps when nobody has been there for so long.
-  float sleep_light = 0.15F;           // 0..1 of the light when she is awake.
-  float hand_back_s = 120;             // From an operator's last touch until the lobby has her again.
-  std::vector<OpenSpan> hours{};       // Empty: it is always open.
+  float stuck_s = 1800;           // Who says without a break for so long that somebody is there is stuck.
+  float stay_s = 20;              // From one take until the next for somebody who stays.
+  float sleep_s = 60;             // She sleeps when nobody has been there for so long.
+  float sleep_light = 0.15F;      // 0..1 of the light when she is awake.
+  float hand_back_s = 120;        // From an operator's last touch until the lobby has her again.
+  std::vector<OpenSpan> hours{};  // Empty: it is always open.
 };
 
 // Whether the lobby is open in this minute of the week, 0 .. kWeekMinutes - 1.

@@ -35,7 +35,7 @@ flatbuffers::Offset<pack::Lobby> WriteLobby(flatbuffers::FlatBufferBuilder& to,
   const auto hours = to.CreateVectorOfStructs(openings);
   return pack::CreateLobby(to, lobby->cue, lobby->by_itself, greetings, stays, goodbyes, lobby->visitor,
                            lobby->arrive_s, lobby->leave_s, lobby->stay_s, lobby->sleep_s, lobby->sleep_light,
-                           lobby->hand_back_s, hours);
+                           lobby->hand_back_s, hours, lobby->stuck_s);
 }
 
 // One opening more than is allowed is read, so that CheckLobby finds it.
@@ -49,6 +49,7 @@ std::optional<Lobby> ReadLobby(Copier& from, const pack::Lobby* stored) {
               .visitor = stored->visitor(),
               .arrive_s = stored->arrive_s(),
               .leave_s = stored->leave_s(),
+              .stuck_s = stored->stuck_s(),
               .stay_s = stored->stay_s(),
               .sleep_s = stored->sleep_s(),
               .sleep_light = stored->sleep_light(),

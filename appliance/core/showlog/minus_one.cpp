@@ -1,6 +1,7 @@
 #include "appliance/core/showlog/minus_one.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,21 @@ enum Section : std::size_t {
 static_assert(kLineCheck + 1 == FrameTimes::kSections);
 
 constexpr std::string_view kLipOperator = "lips";
+
+// What was pressed or called on that evening was so much later by the clock of this play.
+void MoveTimes(board::PressLog& log, Duration later) {
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(later).count();
+  for (board::PressLog::Press& press : log.newest) press.at_us += static_cast<std::uint32_t>(us);
+}
+void MoveTimes(board::Surface& surface, Duration later) {
+  MoveTimes(surface.log, later);
+}
+void MoveTimes(board::Keys& keys, Duration later) {
+  MoveTimes(keys.log, later);
+}
+void MoveTimes(board::Calls& calls, Duration later) {
+  for (board::Call& call : calls.newest) call.at += later;
+}
 
 }  // namespace
 
@@ -72,6 +88,7 @@ Result<MinusOne> MinusOne::Open(const LogFile& log, const show::Show& show, Time
 const performance::State& MinusOne::Begin(Time presented_at) {
   later_ = presented_at - replay_.presented_at();
   state_.last += later_;
+  for (Time& called_at : state_.seen.called_at) called_at += later_;
   return state_;
 }
 
@@ -87,6 +104,7 @@ bool MinusOne::Lay(Time presented_at, board::Snapshot& board) {
     if (live_[section]) return;
     into = from;
     into.at += later_;
+    if constexpr (requires { MoveTimes(into.value, later_); }) MoveTimes(into.value, later_);
   };
   lay(kSurface, board.surface, laid_.surface);
   lay(kLeftStick, board.sticks[0], laid_.sticks[0]);

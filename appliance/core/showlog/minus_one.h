@@ -30,7 +30,7 @@ class MinusOne {
 
   // Lays the evening over the live board of the frame that is presented at this time. What is laid keeps its
   // age. False where the evening is over or its log has a gap: nothing is laid then, and the board's counters
-  // are others than before (performance::ForgetCounters).
+  // are others than before: what has been seen is what the live board says (performance::SeenOn).
   bool Lay(Time presented_at, board::Snapshot& board);
 
  private:

@@ -51,6 +51,7 @@ constexpr const char* kStageFolder = "/run/kaori";  // Where its unit tells Mesa
 constexpr const char* kAhead = "/usr/share/kaori/ahead";
 constexpr const char* kCard = "/dev/dri/card0";
 constexpr const char* kData = "/var/lib/kaori";
+constexpr const char* kZones = "/usr/share/zoneinfo";
 constexpr const char* kProfiles = "/run/kaori-profile";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
@@ -198,16 +199,18 @@ void WriteSetting(const std::string& name, std::string_view text) {
 }
 
 // Leaves in a folder that is there before everything else: for udev's rules a file that is named after the
-// profile, for kaori-input which lines are what, for kaori-stage which screen is the operators', and what its
-// status says.
+// profile, for kaori-input which lines are what, for kaori-stage its time zone and which screen is the
+// operators', and what its status says.
 void ApplySettings() {
-  const auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
+  auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Report(profile.fault);
+  if (const auto fault = DropUnknownZone(profile, kZones); !fault.empty()) Report(fault);
   ::mount("tmpfs", "/run", "tmpfs", MS_NODEV | MS_NOSUID | MS_STRICTATIME, "mode=755,size=20%");
   ::mkdir(kProfiles, 0755);
   WriteSetting(profile.name, {});
   WriteSetting("lines", EnvironmentOf(profile.wiring));
   WriteSetting("dials", DialsEnvironmentOf(profile));
+  WriteSetting("clock", ClockEnvironmentOf(profile));
   WriteSetting("status_screen", profile.status_screen);
   const std::string command_line = kaori::ReadFile("/proc/cmdline").value_or("");
   WriteSetting("root_hash", kaori::boot::RootHashOf(command_line));

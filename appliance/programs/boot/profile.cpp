@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "drivers/base/number.h"
 #include "drivers/base/read_file.h"
@@ -85,6 +86,19 @@ std::string ParseDialBox(std::string_view value, std::string& dial_box) {
   return {};
 }
 
+// Names of the tz database: "Asia/Tokyo", "Etc/GMT-9". It goes into an environment file of systemd, and is a
+// path below a folder.
+std::string ParseZone(std::string_view value, std::string& zone) {
+  constexpr std::size_t kLongestZone = 64;
+  const auto wanted = IsQuoted(value) ? value.substr(1, value.size() - 2) : std::string_view{};
+  const auto fits = [](char c) { return IsOfScreenName(c) || c == '/' || c == '_' || c == '+'; };
+  if (wanted.empty() || wanted.size() > kLongestZone || wanted.front() == '/' || wanted.back() == '/' ||
+      !std::ranges::all_of(wanted, fits))
+    return "expected the name of a time zone, as in \"Asia/Tokyo\"";
+  zone = wanted;
+  return {};
+}
+
 // Returns what is wrong, or nothing; `counts` changes only where the value is right.
 std::string ParseDialBoxCounts(std::string_view value, int& counts) {
   constexpr int kMostCounts = 1 << 20;  // As kaori-input takes them.
@@ -104,10 +118,10 @@ class Reading {
   void Parse(std::string_view line) {
     ++number_;
     if (line.starts_with('[')) section_ = line;
-    const bool ours = section_.empty() || section_ == kLines;
+    const bool ours = section_.empty() || section_ == kLines || section_ == kClock;
     if (line.empty() || line.starts_with('[') || !ours) return;
     if (const auto wrong = ParseSetting(line); !wrong.empty()) Blame(wrong);
-    if (!section_.empty()) wired_at_ = number_;
+    if (section_ == kLines) wired_at_ = number_;
   }
   bool ended() const { return !profile_.fault.empty(); }
   // The wiring is judged as a whole, at the line of [lines] that was read last.
@@ -121,15 +135,18 @@ class Reading {
   }
 
  private:
-  static constexpr std::string_view kLines = "[lines]";
+  static constexpr std::string_view kLines = "[lines]", kClock = "[clock]";
 
-  // A setting of the top, or a wire of [lines]; gives what is wrong with it.
+  // A setting of the top, of [clock], or a wire of [lines]; gives what is wrong with it.
   std::string ParseSetting(std::string_view line) {
     const auto equals = line.find('=');
     if (equals == std::string_view::npos) return "expected a name, = and a value";
     const auto key = Trim(line.substr(0, equals));
     const auto value = Trim(line.substr(equals + 1));
-    if (!section_.empty()) return ParseWire(key, value, profile_.wiring);
+    if (section_ == kLines) return ParseWire(key, value, profile_.wiring);
+    if (section_ == kClock)
+      return key == "zone" ? ParseZone(value, profile_.zone)
+                           : "there is no setting " + std::string(key) + " of [clock]";
     if (key == "profile") return ParseProfileName(value, profile_.name);
     if (key == "status_screen") return ParseScreen(value, profile_.status_screen);
     if (key == "dial_box") return ParseDialBox(value, profile_.dial_box);
@@ -166,6 +183,16 @@ std::string DialsEnvironmentOf(const Profile& profile) {
                           ? std::string()
                           : " --counts-per-turn " + std::to_string(profile.dial_box_counts);
   return "KAORI_DIALS=--serial " + profile.dial_box + counts + "\n";
+}
+
+std::string ClockEnvironmentOf(const Profile& profile) {
+  return profile.zone.empty() ? std::string() : "TZ=" + profile.zone + "\n";
+}
+
+std::string DropUnknownZone(Profile& profile, const fs::path& zones) {
+  std::error_code none;
+  if (profile.zone.empty() || fs::is_regular_file(zones / profile.zone, none)) return {};
+  return "box.toml: the box knows no time zone \"" + std::exchange(profile.zone, {}) + "\"; its clock is UTC";
 }
 
 // A file that cannot be read at all (its message names it) counts as faulty; one that is missing stands for

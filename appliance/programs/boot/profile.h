@@ -19,7 +19,9 @@ namespace kaori::boot {
 //   dial_box = "/dev/serial/by-path/...=sgi"   a dial box of 1993 on a serial line, and which of the kinds sgi,
 //                       spectragraphics and dls80 it is
 //   dial_box_counts = 200   counts of one turn of its dials, 1 to 2^20
-// and in the section [lines] what ParseWire takes. Other sections are others' business.
+// in the section [lines] what ParseWire takes, and in [clock]
+//   zone = "Asia/Tokyo"   the time zone of the house, by its name in the tz database; UTC without it
+// Other sections are others' business.
 struct Profile {
   // "stage", "kiosk" or "bench".
   std::string name = "stage";
@@ -28,6 +30,7 @@ struct Profile {
   std::string status_screen{};  // Empty: none.
   std::string dial_box{};       // A line and its kind of box; empty: none.
   int dial_box_counts = 0;      // Of one turn; 0: as kaori-input has it.
+  std::string zone{};           // Empty: UTC.
   std::string fault{};          // One line that names file and line; empty: none.
 };
 
@@ -38,6 +41,14 @@ Profile ReadProfile(std::string_view text);
 // For kaori-input's unit: KAORI_DIALS, its options for a dial box on a serial line; empty where there is
 // none.
 std::string DialsEnvironmentOf(const Profile& profile);
+
+// For kaori-stage's unit: TZ; empty where no zone is named.
+std::string ClockEnvironmentOf(const Profile& profile);
+
+// Takes away a zone that the box does not know, and says so in one line; empty where all is well. `zones` is
+// the folder of the tz database, whose files are named as the zones are. C's library would take UTC without a
+// word.
+std::string DropUnknownZone(Profile& profile, const std::filesystem::path& zones);
 
 // Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one
 // is left as it is: then the last good one counts, and the fault is named. Where there is none the usual

@@ -47,7 +47,7 @@ constexpr std::string_view kHelp =
   --dials CHIP:A,B,...
                    dials on GPIO lines, two lines for each of them: gpiochip0:4,5,6,7
   --surfaces FOLDER
-                   play surfaces that people own as the files of this folder say, those on MIDI too
+                   play surfaces that people own as the files of this folder say, and any on MIDI
   --links FOLDER   read the simulator's devices, whose sockets are in FOLDER, and its switches where no chip
                    is named
   --gpiochip NAME  the GPIO chip of the foot and service switches: gpiochip0, or its label
@@ -170,10 +170,9 @@ kaori::Result<Buses> OpenBuses(const Settings& settings, int counts_per_turn, co
   return buses;
 }
 
-// Null where no surface on MIDI is known.
+// Null where MIDI cannot be looked for.
 std::unique_ptr<kaori::midi::MidiBus> OpenMidi(const std::vector<kaori::midi::KnownSurface>& surfaces,
                                                const kaori::Clock& clock) {
-  if (surfaces.empty()) return nullptr;
   auto bus = kaori::midi::MidiBus::Open({}, surfaces, clock);
   if (bus) return std::move(*bus);
   kaori::LogWarning("{}; the show goes on without MIDI", bus.error().message());
@@ -253,7 +252,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   sources.maps = ReadMaps(settings.surfaces);
   const auto midi_surfaces = MidiSurfacesOf(sources.maps);
-  const auto midi = OpenMidi(midi_surfaces, clock);
+  const auto midi = settings.surfaces.empty() ? nullptr : OpenMidi(midi_surfaces, clock);
   if (midi) sources.buses.push_back(midi.get());
   kaori::input::InputService service(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   ServiceWatch watch(service, loop);

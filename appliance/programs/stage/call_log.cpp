@@ -9,9 +9,24 @@ namespace {
 
 constexpr Duration kLockQuiet = std::chrono::seconds(10);
 
+void TellOfTheSensor(const performance::State& before, const performance::State& after,
+                     const show::Show& show) {
+  const bool stuck = performance::IsSensorStuck(after.lobby, show);
+  if (stuck == performance::IsSensorStuck(before.lobby, show)) return;
+  if (stuck)
+    LogWarning(
+        "the presence sensor has said for {:.0f} s without a break that somebody is there: the lobby "
+        "takes it for stuck until it says the contrary",
+        show.lobby->stuck_s);
+  else
+    Log("the presence sensor is believed again: nobody is there");
+}
+
 }  // namespace
 
-void CallLog::Tell(const performance::State& before, const performance::State& after, Time now) {
+void CallLog::Tell(const performance::State& before, const performance::State& after, const show::Show& show,
+                   Time now) {
+  TellOfTheSensor(before, after, show);
   if (const std::uint32_t refused = after.calls_refused - before.calls_refused; refused != 0)
     LogWarning("{} calls were refused: the show has no such cue, level or role", refused);
   if (const std::uint32_t lost = after.calls_lost - before.calls_lost; lost != 0)

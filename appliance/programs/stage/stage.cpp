@@ -209,7 +209,7 @@ const board::Snapshot& Stage::WithEvening(const board::Snapshot& live, Time pres
   if (evening_->Lay(presented_at, laid_)) return laid_;
   Log("the evening from the log is over: all operators are live");
   evening_.reset();
-  performance::ForgetCounters(state_.seen);
+  state_.seen = performance::SeenOn(laid_);  // What was called meanwhile was not heard, and is over.
   return laid_;
 }
 
@@ -230,7 +230,7 @@ scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   ShowService(snapshot, presented_at, performed.scene);
   if (service_.learner().running()) Say(service_.learner().Lines(), performed.scene.caption);
   if (!notice_.empty()) Say(notice_, performed.scene.caption);
-  call_log_.Tell(state_, performed.state, presented_at);
+  call_log_.Tell(state_, performed.state, studio_.show(), presented_at);
   state_ = performed.state;
   writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);
   writers_.show_now.Write(ShowNowOf(state_, studio_.show()), presented_at, board::SourceState::kLive);

@@ -93,6 +93,8 @@ TEST(DefaultShow, HasAKeyForEachStyleAndSceneAndNoKeyForTwo) {
   for (const show::StageScene& scene : DefaultShow().scenes) keys.insert(scene.key_usage);
   std::set<int> in_cues;
   for (const show::Cue& cue : DefaultShow().cue_list.cues) in_cues.insert(cue.motion);
+  for (const auto* takes : {&DefaultShow().lobby->greetings, &DefaultShow().lobby->goodbyes})
+    for (const show::LobbyTake& take : *takes) in_cues.insert(take.motion);
   for (std::size_t i = 0; i < DefaultShow().motions.size(); ++i) {
     const show::Motion& motion = DefaultShow().motions[i];
     if (motion.key_usage != 0) keys.insert(motion.key_usage);
@@ -114,6 +116,24 @@ TEST(DefaultShow, HasACueForEachBeatOfThePlayAndAKeyForEachCallOfTheList) {
   for (const show::KeyCall& key : DefaultShow().keys)
     if (key.call.kind == show::CallKind::kCue) verbs.insert(key.call.index);
   EXPECT_EQ(verbs.size(), static_cast<std::size_t>(show::kCueVerbCount));
+}
+
+TEST(DefaultShow, GreetsInItsLobbyInTwoLanguagesWithSoundAndHasAWordForThoseWhoGo) {
+  ASSERT_TRUE(DefaultShow().lobby);
+  const show::Lobby& lobby = *DefaultShow().lobby;
+  EXPECT_EQ(DefaultShow().cue_list.cues[lobby.cue].number, "40");
+  EXPECT_FALSE(lobby.by_itself) << "it begins after the play";
+  for (const auto* takes : {&lobby.greetings, &lobby.goodbyes}) {
+    std::set<std::string> languages;
+    for (const show::LobbyTake& take : *takes) {
+      languages.insert(take.language);
+      const show::Motion& said = DefaultShow().motions[static_cast<std::size_t>(take.motion)];
+      EXPECT_FALSE(said.sound.samples.empty()) << said.name;
+      EXPECT_FALSE(said.curves.empty()) << said.name << ": her mouth moves with it";
+    }
+    EXPECT_EQ(languages, (std::set<std::string>{"en", "ja"}));
+  }
+  EXPECT_FALSE(lobby.stays.empty());
 }
 
 // Her own life in the default show, with nobody at the controls.

@@ -75,7 +75,7 @@ TEST_F(AuthoredLabels, TellWhichDialsACallFills) {
   board::Snapshot board;
   board.surface.source = board::SourceState::kLive;
   board::NotePress(board.surface.value, 1, Time{});  // A face.
-  performance::PlayCalls(state, performance::ReadEvents(state.seen, board), show_);
+  performance::PlayCalls(state, performance::ReadEvents(state.seen, board), show_, 0);
   for (std::size_t n = 0; n < labels_.dials.size(); ++n)
     EXPECT_EQ(state.knobs[n] == 1, std::ranges::count(labels_.dials[n].filled_by, "face") == 1)
         << labels_.dials[n].text;

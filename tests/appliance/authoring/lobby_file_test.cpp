@@ -28,6 +28,7 @@ TEST_F(LobbyFileTest, SaysWhatTheBoxPlays) {
 by_itself = true
 visitor = "seat 12"
 sleep_s = 45
+stuck_s = 600
 sleep_light = 0.1
 [[greeting]]
 motion = "nod"
@@ -47,6 +48,7 @@ sunday = ["10:00-12:00", "18:00-01:30"]
   EXPECT_TRUE(lobby.by_itself);
   EXPECT_EQ(read_.gaze_targets[static_cast<std::size_t>(lobby.visitor)].name, "seat 12");
   EXPECT_FLOAT_EQ(lobby.sleep_s, 45);
+  EXPECT_FLOAT_EQ(lobby.stuck_s, 600);
   EXPECT_FLOAT_EQ(lobby.sleep_light, 0.1F);
   EXPECT_FLOAT_EQ(lobby.stay_s, 20) << "what is not named stays as it is";
   ASSERT_EQ(lobby.greetings.size(), 2U);
@@ -61,6 +63,7 @@ sunday = ["10:00-12:00", "18:00-01:30"]
 }
 
 TEST_F(LobbyFileTest, WithoutOneAShowHasNoLobby) {
+  std::filesystem::remove(show_ / "lobby.toml");
   EXPECT_THAT(authoring::ReadShowFile(show_ / "show.toml", read_, {.faces = false, .expressions = false}),
               IsEmpty());
   EXPECT_FALSE(read_.lobby);

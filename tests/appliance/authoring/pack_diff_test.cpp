@@ -35,10 +35,12 @@ TEST(PackDiff, SaysWhichPointOfAnExpressionChangedMost) {
 }
 
 TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {
-  Show after = SmallShow();
+  Show before = SmallShow(), after = SmallShow();
+  before.lobby.reset();
+  after.lobby.reset();
   after.cast.faces[3].name = "other";
   after.motions.clear();
-  EXPECT_THAT(Differences(SmallShow(), after),
+  EXPECT_THAT(Differences(before, after),
               ElementsAre("face \"long\": is gone", "face \"other\": is new", "motion \"nod\": is gone"));
 }
 
@@ -81,6 +83,25 @@ TEST(PackDiff, SaysWhatTheSecondSheetCallsAndHowItemsFadeOtherwise) {
       ElementsAre(
           "button 5 of the second sheet: toggle expression smile is now momentary expression smile",
           "face \"round\": fade in 0.00 s, out 90.00 s, slow end is now in 0.00 s, out 2.00 s, slow end"));
+}
+
+TEST(PackDiff, SaysWhatTheLobbyDoesOtherwise) {
+  Show after = SmallShow();
+  after.lobby->cue = 0;
+  after.lobby->by_itself = !after.lobby->by_itself;
+  after.lobby->sleep_s = 45;
+  after.lobby->greetings.pop_back();
+  after.lobby->goodbyes.clear();
+  after.lobby->hours = {{(4 * 24 + 17) * 60, (5 * 24 + 1) * 60 + 30}};
+  EXPECT_THAT(Differences(SmallShow(), after),
+              ElementsAre("lobby: cue 1.5 is now 1", "lobby: by_itself false is now true",
+                          "lobby: sleep_s 90.00 is now 45.00",
+                          "lobby: greeting nod (ja), nod (en-GB) is now nod (ja)",
+                          "lobby: goodbye nod (fr) is now none",
+                          "lobby: hours monday 10:00-15:00, sunday 06:00-00:20 is now friday 17:00-01:30"));
+  after.lobby.reset();
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("lobby: is gone"));
+  EXPECT_THAT(Differences(after, SmallShow()), ElementsAre("lobby: is new"));
 }
 
 TEST(PackDiff, SaysWhatASceneDoesOtherwise) {

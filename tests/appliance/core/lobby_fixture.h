@@ -24,6 +24,15 @@ class LobbyTest : public CuesTest {
                               .goodbyes = {{"en", 4}},
                               .visitor = 1};
     board_.lines.source = board::SourceState::kLive;
+    SomebodyPasses();
+  }
+
+  // There is a sensor, and it works.
+  void SomebodyPasses() {
+    SetSomeone(true);
+    Run(400ms);
+    SetSomeone(false);
+    Run(5s);
   }
 
   void OpenLobby() {

@@ -57,6 +57,7 @@ inline show::Show SmallShow() {
                            .visitor = 1,
                            .arrive_s = 0.5F,
                            .leave_s = 5,
+                           .stuck_s = 900,
                            .stay_s = 30,
                            .sleep_s = 90,
                            .sleep_light = 0.25F,

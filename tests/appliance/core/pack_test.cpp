@@ -81,6 +81,7 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_TRUE(loaded->lobby->by_itself);
   EXPECT_EQ(loaded->lobby->greetings[1].language, "en-GB");
   EXPECT_EQ(loaded->lobby->hours[1].to, 10'100);
+  EXPECT_EQ(loaded->lobby->stuck_s, 900);
   EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
 }
 

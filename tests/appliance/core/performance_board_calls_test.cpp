@@ -115,6 +115,42 @@ TEST_F(BoardCallsTest, OfAnotherBoardAreNoneOfOurs) {
   EXPECT_EQ(run().active, 0);
 }
 
+TEST_F(BoardCallsTest, TheFirstOneOfAWriterAfterALostBoardIsHandled) {
+  ForgetCounters(state_.seen);
+  Run(1s);
+  MakeCue(CueVerb::kGo, CallWriter::kControl, now_);
+  Run(100ms);
+  EXPECT_EQ(run().active, 0);
+}
+
+TEST_F(BoardCallsTest, OfAWriterThatCountsAnewOnAnotherBoardAreHandled) {
+  MakeCue(CueVerb::kGo, CallWriter::kControl, now_);
+  Run(1s);
+  MakeCue(CueVerb::kGo, CallWriter::kControl, now_);
+  Run(1s);
+  ASSERT_EQ(run().active, 1);
+  ForgetCounters(state_.seen);
+  board_.calls[1] = {};
+  Run(1s);
+  Make(CallVerb::kStandBy, CueKey("4"));
+  Run(100ms);
+  EXPECT_EQ(run().standby, 5);
+  EXPECT_EQ(run().active, 1);
+}
+
+TEST_F(BoardCallsTest, OnTheWayFromOneBoardToTheOtherAreHandledOnce) {
+  MakeCue(CueVerb::kGo, CallWriter::kControl, now_);
+  Run(1s);
+  for (int frame = 0; frame < 60; ++frame) {
+    ForgetCounters(state_.seen);
+    if (frame == 20) MakeCue(CueVerb::kGo, CallWriter::kControl, now_);
+    Step();
+  }
+  Run(1s);
+  EXPECT_EQ(run().played, 2U);
+  EXPECT_EQ(run().refused, 0U);
+}
+
 TEST(CueKey, IsOneForNumbersThatAreEqualAndAnotherForOthers) {
   EXPECT_EQ(CueKey("2.5"), CueKey("02.05"));
   EXPECT_EQ(CueKey("0.1"), CueKey("00.1"));

@@ -30,6 +30,39 @@ TEST_F(LobbyTest, ItBeginsWithItsCueAndEndsWithTheNext) {
   EXPECT_EQ(Phase(), LobbyPhase::kOff);
 }
 
+TEST_F(LobbyTest, WithoutASensorItsCueIsACueAsAnyOther) {
+  Start();
+  show_.lobby = show::Lobby{.cue = 5, .greetings = {{"en", 0}}, .visitor = 1};
+  OpenLobby();
+  Run(1s);
+  const Tracked opened = Now();
+  const float lit = Light();
+  Run(90s);
+  EXPECT_EQ(Phase(), LobbyPhase::kOff);
+  EXPECT_TRUE(SameBits(opened, Now()));
+  EXPECT_FLOAT_EQ(Light(), lit) << "she does not fall asleep where nobody can wake her";
+  ComeAndBeGreeted();
+  EXPECT_EQ(Phase(), LobbyPhase::kGreeting) << "and the first one whom a sensor sees is greeted";
+}
+
+TEST_F(LobbyTest, ASensorThatIsStuckDoesNotKeepHerAwake) {
+  show_.lobby->stuck_s = 300;
+  OpenLobby();
+  ComeAndBeGreeted();
+  Run(290s);
+  EXPECT_EQ(Phase(), LobbyPhase::kWith);
+  EXPECT_FALSE(IsSensorStuck(state_.lobby, show_));
+  Run(90s);
+  EXPECT_TRUE(IsSensorStuck(state_.lobby, show_));
+  EXPECT_EQ(Phase(), LobbyPhase::kAsleep);
+  Run(600s);
+  EXPECT_EQ(Phase(), LobbyPhase::kAsleep);
+  SetSomeone(false);
+  Run(1s);
+  ComeAndBeGreeted();
+  EXPECT_EQ(Phase(), LobbyPhase::kGreeting) << "it has said the contrary, and is believed again";
+}
+
 TEST_F(LobbyTest, TheGoThatCallsItsCueDoesNotTakeHerOver) {
   GoToCue(state_, show_, 4);
   Run(1s);

@@ -100,6 +100,21 @@ TEST(Profile, NamesTheScreenThatSaysHowTheBoxDoes) {
         << wrong;
 }
 
+TEST(Profile, NamesTheTimeZoneOfTheHouse) {
+  EXPECT_THAT(ClockEnvironmentOf(ReadProfile("profile = \"kiosk\"")), IsEmpty());
+  const auto read = ReadProfile("[clock]\nzone = \"Asia/Tokyo\"  # here\n[lines]\ngo = 7\n");
+  EXPECT_THAT(read.fault, IsEmpty());
+  EXPECT_EQ(ClockEnvironmentOf(read), "TZ=Asia/Tokyo\n");
+  EXPECT_EQ(ReadProfile("[clock]\nzone = \"Etc/GMT+9\"").zone, "Etc/GMT+9");
+  for (const char* wrong :
+       {"Asia/Tokyo", "\"\"", "\"../passwd\"", "\"/etc/passwd\"", "\"Asia/\"", "\"a b\"", ""})
+    EXPECT_THAT(ReadProfile(std::string("[clock]\nzone = ") + wrong).fault,
+                HasSubstr("line 2: expected the name of a time zone, as in \"Asia/Tokyo\""))
+        << wrong;
+  EXPECT_EQ(ReadProfile("[clock]\nzones = \"Asia/Tokyo\"").fault,
+            "line 2: there is no setting zones of [clock]");
+}
+
 TEST(RootHash, IsTheOneOfTheVerityTable) {
   const std::string hash(128, 'a');
   const std::string table =
@@ -133,6 +148,20 @@ class SettingsFolder : public ::testing::Test {
  private:
   fs::path folder_;
 };
+
+TEST_F(SettingsFolder, ATimeZoneThatTheBoxDoesNotKnowIsNamedAndItsClockIsUtc) {
+  fs::create_directories(folder() / "Asia");
+  std::ofstream(folder() / "Asia" / "Tokyo") << "TZif2";
+  Profile known = ReadProfile("[clock]\nzone = \"Asia/Tokyo\"");
+  EXPECT_THAT(DropUnknownZone(known, folder()), IsEmpty());
+  EXPECT_EQ(known.zone, "Asia/Tokyo");
+  for (const std::string wrong : {"Asia/Tokio", "Asia"}) {
+    Profile unknown = ReadProfile("[clock]\nzone = \"" + wrong + "\"");
+    EXPECT_EQ(DropUnknownZone(unknown, folder()),
+              "box.toml: the box knows no time zone \"" + wrong + "\"; its clock is UTC");
+    EXPECT_THAT(ClockEnvironmentOf(unknown), IsEmpty());
+  }
+}
 
 TEST_F(SettingsFolder, WithoutAFileTheStageIsMeant) {
   EXPECT_EQ(ChooseProfile(folder()).name, "stage");

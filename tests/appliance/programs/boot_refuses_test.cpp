@@ -79,7 +79,7 @@ TEST(BootProgram, AppliesTheSettingsAndLeavesSystemdNoDescriptorOfItsOwn) {
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.said,
             "/proc/self/fd:\n" + inherited.said +
-                "\n/run/kaori-profile:\ndials\nfaults\nlines\nroot_hash\nslot\nstage\nstatus_screen\n");
+                 "\n/run/kaori-profile:\nclock\ndials\nfaults\nlines\nroot_hash\nslot\nstage\nstatus_screen\n");
 }
 
 }  // namespace

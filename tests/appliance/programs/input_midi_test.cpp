@@ -127,15 +127,31 @@ TEST_F(MidiSurfaces, AnXTouchMinisDeadEndsTurnNothingAndItsLampsAreShownAgain) {
   EXPECT_TRUE(touch.lamp(15));
 }
 
-TEST_F(MidiSurfaces, OneWithoutAMapIsNamedOnceByItsIds) {
-  sim::MidiTwin other(sim::MidiTwin::Kind::kTwister);
+TEST_F(MidiSurfaces, OneWithoutAFilePlaysFromItsFirstMessageOnAndIsNamedOnceByItsIds) {
+  sim::MidiTwin other(sim::MidiTwin::Kind::kXTouchMini);
   PlugMidi("0582", "0000");
   StartMidi();
   ::testing::internal::CaptureStderr();
-  PlayMidi(other, 600);
+  PlayMidi(other, 300);
+  EXPECT_EQ(service_->attached_devices(), 0) << "it has said nothing: it may be a sound card's socket";
+  other.Turn(3, 1);
+  PlayMidi(other, 300);
+  EXPECT_EQ(service_->attached_devices(), 1);
   const std::string said = ::testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, HasSubstr("use the MIDI device 0582:0000 at 1-4, for which there is no map"));
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  EXPECT_THAT(said,
+              HasSubstr("the MIDI device 0582:0000 at 1-4 has no file of its own: its controls are dials"));
+  EXPECT_EQ(said.find("no file"), said.rfind("no file")) << said;
+  const auto before = Board().surface.value;
+  other.Turn(3, 1);
+  other.Turn(3, 20);
+  other.Push(15, true);
+  PlayMidi(other, 10);
+  const auto turned = Board().surface.value.counts;
+  EXPECT_EQ(std::ranges::count_if(turned, [](std::int32_t counts) { return counts != 0; }), 1) << "one dial";
+  EXPECT_NE(Board().surface.value.buttons_down, before.buttons_down);
+  other.Push(15, false);
+  PlayMidi(other, 10);
+  EXPECT_EQ(Board().surface.value.buttons_down, before.buttons_down);
 }
 
 TEST(SurfaceMaps, EverythingThatIsWrongIsSaidAtOnceWithItsLine) {

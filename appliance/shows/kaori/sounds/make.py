@@ -12,6 +12,8 @@ import sys
 import wave
 from pathlib import Path
 
+import speech
+
 RATE = 24000  # Samples a second.
 LEAD_S = 0.05  # Silence at the beginning: the loudspeaker joins in after what it has in hand.
 LOUDEST = {"buzzer": 0.22, "crickets": 0.12, "heart": 0.6, "facets": 0.3}  # Of full scale; others: 0.45.
@@ -243,6 +245,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     for make in (buzzer, wire, facets, skin, hair, heart, boil, bark, leap, land, crickets, snap, farewell, lobby):
         write(folder / f"{make.__name__}.wav", make())
+    for name, phones in speech.PHRASES.items():
+        write(folder / f"{name}.wav", speech.speak(phones))
 
 
 if __name__ == "__main__":

@@ -55,5 +55,7 @@ FILES:${PN}-desk = "${bindir}/kaori-desk"
 FILES:${PN} += "${datadir}/kaori ${systemd_system_unitdir} ${nonarch_base_libdir}/udev/rules.d ${nonarch_libdir}/tmpfiles.d \
                 ${bindir}/kaori-camera-libcamera.so"
 RRECOMMENDS:${PN} = "alsa-conf"
+# Where kaori-boot looks for the time zone that box.toml names.
+RRECOMMENDS:${PN}-boot = "tzdata"
 
 BBCLASSEXTEND = "native"
