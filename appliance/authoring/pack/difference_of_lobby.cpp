@@ -65,7 +65,10 @@ std::string HoursOf(const Lobby& lobby) {
 // Numbers are compared as they are told, to a hundredth: what reads the same is no difference.
 void CompareLobby(const show::Show& a, const show::Show& b, Lines& lines) {
   if (!a.lobby && !b.lobby) return;
-  if (!a.lobby || !b.lobby) return lines.emplace_back(a.lobby ? "lobby: is gone" : "lobby: is new");
+  if (!a.lobby || !b.lobby) {
+    lines.emplace_back(a.lobby ? "lobby: is gone" : "lobby: is new");
+    return;
+  }
   const auto compare = [&](const char* what, const std::string& before, const std::string& after) {
     if (before != after) lines.push_back(fmt::format("lobby: {} {} is now {}", what, before, after));
   };
