@@ -15,6 +15,7 @@ SHORT = {
     "apache-2": "Apache-2.0", "apache-2.0": "Apache-2.0", "apache-2-llvm-exceptions": "Apache-2.0 WITH LLVM-exception",
     "bsd-1-clause": "BSD-1-Clause", "bsd-2-clause": "BSD-2-Clause", "bsd-3-clause": "BSD-3-Clause",
     "bsd-4-clause": "BSD-4-Clause", "bsl-1.0": "BSL-1.0", "cc0": "CC0-1.0", "cc0-1.0": "CC0-1.0", "ms-pl": "MS-PL",
+    "lpgl-2.1+": "LGPL-2.1-or-later",  # As the file of ALSA's library spells it.
     "mpl-1.1": "MPL-1.1", "ntp": "NTP", "fsfap": "FSFAP", "sleepycat": "Sleepycat", "beerware": "Beerware",
     "gpl-2 with linux-syscall-note exception": "GPL-2.0-only WITH Linux-syscall-note",
     "gpl-2+ with libtool exception": "GPL-2.0-or-later WITH Libtool-exception",
