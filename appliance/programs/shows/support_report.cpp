@@ -79,16 +79,15 @@ std::string JournalOf(const Journal& read, JournalPart part, std::size_t most_by
   return text ? *text : "the journal cannot be read: " + text.error().message() + "\n";
 }
 
-// The image has no list of its software in it: its hash tells which build's list is meant.
+// No SBOM lies in an image: its hash tells which build it is of.
 std::string Versions(const SupportPlaces& places) {
   utsname kernel{};
   ::uname(&kernel);
   const status::Facts facts = status::ReadFacts(places.status);
-  return fmt::format(
-      "kaori {}\nkernel {} {}\nroot hash of the image, by which its build and its list of software are "
-      "found: {}\n{}",
-      KAORI_VERSION, kernel.release, kernel.machine,
-      facts.root_hash.empty() ? "none, it is not verified" : facts.root_hash, TextOf(places.release));
+  return fmt::format("kaori {}\nkernel {} {}\nroot hash of the image: {}\nSBOM: the image carries none\n{}",
+                     KAORI_VERSION, kernel.release, kernel.machine,
+                     facts.root_hash.empty() ? "none, it is not verified" : facts.root_hash,
+                     TextOf(places.release));
 }
 
 // Ids, as the journal has them too; a show's name stands in the journal when it is read.
