@@ -11,7 +11,8 @@ constexpr int kMiddle = 64;
 constexpr std::uint8_t kFull = 127;
 constexpr std::size_t kMostButtons = 32;
 // Of a surface without a map.
-constexpr std::size_t kAnyPositions = 16 * 128;
+constexpr std::size_t kChannels = 16, kNumbers = 128;
+constexpr std::size_t kAnyPositions = kChannels * kNumbers;
 constexpr std::int32_t kAnyCounts = 2;  // Of each step of a control.
 constexpr int kFirstLowerHalf = 32, kFirstPedal = 64, kLastPedal = 69, kFirstPedalButton = 24,
               kFirstMode = 120;
