@@ -39,7 +39,7 @@ run_tests() {
   ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}" || fail "tests failed; they are named above"
   [ ${#match[@]} -eq 0 ] || return 0
   python3 -B tests/rules/report.py . $BUILD out/house.json
-  python3 -B tests/appliance/show_report.py $BIN out/show.json || fail "out/show.json is not whole, or a figure is beyond its bound; see above"
+  python3 -B tests/appliance/show_report.py $BIN out/show.json || fail "out/show.json is not whole; see above"
 }
 
 # What bash's `time` says of the named command, whose words go to the log: timed TIMEFORMAT LOG COMMAND...

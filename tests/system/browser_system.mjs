@@ -1,6 +1,6 @@
 // The real programs for a browser: the simulator with its page, and the three programs of the box.
 import {spawn} from 'node:child_process';
-import {existsSync, mkdtempSync, openSync, closeSync, readdirSync, readFileSync, rmSync} from 'node:fs';
+import {existsSync, mkdtempSync, openSync, closeSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
@@ -12,10 +12,8 @@ const kBoxPrograms = ['kaori-input', 'kaori-lips', 'kaori-stage'];
 
 export class BoxSystem {
   // `size` is that of the screen. A machine without a GPU draws the usual one four times as often as that of a demo.
-  constructor({size = '480x270', stage = []} = {}) {
+  constructor({size = '480x270'} = {}) {
     this.size = size;
-    this.stage = stage;  // Options of the stage besides, and the folder of its log; others may be said before it is started again.
-    this.log = 'log';
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-browser-'));
     this.running = new Map();
     this.port = '0';
@@ -34,7 +32,7 @@ export class BoxSystem {
       case 'kaori-sim':
         return [...links, '--size', this.size, '--board', this.file('board'), '--hz', '30', '--console', this.port, '--address-file', this.file('address'),
                 '--labels', join(kShows, 'kaori.labels.json')];
-      case 'kaori-stage': return [...links, ...board, '--pack', join(kShows, 'kaori.kaori'), '--log', this.file(this.log), ...this.stage];
+      case 'kaori-stage': return [...links, ...board, '--pack', join(kShows, 'kaori.kaori')];
       default: return [...links, ...board];
     }
   }
@@ -48,16 +46,10 @@ export class BoxSystem {
     closeSync(log);
   }
 
-  async kill(program, signal = 'SIGKILL') {
+  async kill(program) {
     const child = this.running.get(program);
     this.running.delete(program);
-    await end(child, signal);
-  }
-
-  // The show log that lies there when the stage has ended in order.
-  showLog() {
-    const folder = this.file(this.log);
-    return join(folder, readdirSync(folder).filter((name) => name.endsWith('.kaorilog')).sort().at(-1));
+    await end(child, 'SIGKILL');
   }
 
   async address() {
