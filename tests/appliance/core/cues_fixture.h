@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 
 #include "appliance/core/performance/cues.h"
 #include "tests/appliance/core/performance_fixture.h"
@@ -69,6 +70,19 @@ class CuesTest : public PerformanceTest {
   void Go() {
     Strike(kGo);
     Run(400ms);
+  }
+  // Calls play(first, second) from the start, where each of the two calls GO once, by the foot switch or by its
+  // key: for all four pairs of them.
+  template <class Play>
+  void ForEachTwoGos(Play play) {
+    const auto tread = [this] { CallCueByFoot(); };
+    const auto strike = [this] { Strike(kGo); };
+    const std::array<std::function<void()>, 2> sources{tread, strike};
+    for (const auto& first : sources)
+      for (const auto& second : sources) {
+        Start();
+        play(first, second);
+      }
   }
   const CueRun& run() const { return state_.cue_run; }
   int Face() const { return state_.faces.to; }

@@ -1,6 +1,5 @@
 // The cue list as it is played: each call, and jumps that end where a run through the list ends.
 #include <cmath>
-#include <functional>
 #include <random>
 
 #include "appliance/core/board/lines.h"
@@ -47,21 +46,16 @@ TEST_F(CuesTest, AGoThatWasCalledLongAfterTheLastIsNoSlipThoughNoFrameLiesBetwee
 
 // The machine hung, or the stage was away: what people did meanwhile is handled in one frame.
 TEST_F(CuesTest, TwoGosASecondApartAreBothPlayedThoughOneFrameHasBoth) {
-  const auto tread = [this] { CallCueByFoot(); };
-  const auto strike = [this] { Strike(kGo); };
-  const std::array<std::function<void()>, 2> sources{tread, strike};
-  for (const auto& first : sources)
-    for (const auto& second : sources) {
-      Start();
-      now_ += 1s;
-      first();
-      now_ += 1s;
-      second();
-      Step(11s);
-      EXPECT_EQ(run().standby, 2);
-      EXPECT_EQ(run().played, 2U);
-      EXPECT_EQ(run().refused, 0U);
-    }
+  ForEachTwoGos([this](const auto& first, const auto& second) {
+    now_ += 1s;
+    first();
+    now_ += 1s;
+    second();
+    Step(11s);
+    EXPECT_EQ(run().standby, 2);
+    EXPECT_EQ(run().played, 2U);
+    EXPECT_EQ(run().refused, 0U);
+  });
 }
 
 TEST_F(CuesTest, ASlipWithinOneFrameIsRefusedAndTheNextGoIsGuardedByTheOneThatWasPlayed) {
@@ -99,21 +93,16 @@ TEST_F(CuesTest, FootSwitchAndKeyShareOneGuard) {
 
 // A key's guard and the foot switch's end at the same frame, however long frames are.
 TEST_F(CuesTest, TheGuardIsAsLongAfterAKeyAsAfterTheFootSwitch) {
-  const auto tread = [this] { CallCueByFoot(); };
-  const auto strike = [this] { Strike(kGo); };
-  const std::array<std::function<void()>, 2> sources{tread, strike};
-  for (const auto& first : sources)
-    for (const auto& second : sources) {
-      Start();
-      first();
+  ForEachTwoGos([this](const auto& first, const auto& second) {
+    first();
+    Step(90ms);
+    for (const auto& [frames, standby] : {std::pair{3, 1}, {1, 2}}) {
+      for (int n = 1; n < frames; ++n) Step(90ms);
+      second();
       Step(90ms);
-      for (const auto& [frames, standby] : {std::pair{3, 1}, {1, 2}}) {
-        for (int n = 1; n < frames; ++n) Step(90ms);
-        second();
-        Step(90ms);
-        EXPECT_EQ(run().standby, standby);
-      }
+      EXPECT_EQ(run().standby, standby);
     }
+  });
 }
 
 TEST_F(CuesTest, EveryGoIsEitherPlayedOrCountedAsRefused) {
