@@ -223,6 +223,7 @@ Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::S
     evening.faults.insert(evening.faults.end(), log->faults().begin(), log->faults().end());
     evening.faults.insert(evening.faults.end(), replay.faults().begin(), replay.faults().end());
   }
+  evening.box = logs.front()->head().box;
   evening.day = logs.front()->Day();
   evening.begins = logs.front()->DayTimeText(first);
   evening.ends = logs.back()->DayTimeText(last);

@@ -43,7 +43,7 @@ struct Delays {
 
 // All that a report says of an evening. Times of day are texts in the time zone that the box had then.
 struct Evening {
-  std::string day, begins, ends;
+  std::string box, day, begins, ends;  // Of the box its name; empty where the log does not say.
   Duration length{};
   std::uint64_t frames = 0, frames_that_differ = 0;
   std::vector<PlayedCue> cues;

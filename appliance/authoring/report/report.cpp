@@ -71,6 +71,7 @@ Report ReportOf(const Evening& evening, std::span<const Evening> earlier, const 
   Report report{.title = fmt::format("{}, {}", show.name, evening.day), .lines = {}, .tables = {}};
   report.lines.push_back(fmt::format("From {} to {}: {}, {} frames.", evening.begins, evening.ends,
                                      Length(evening.length), evening.frames));
+  if (!evening.box.empty()) report.lines.push_back(fmt::format("It was played by the box {}.", evening.box));
   if (evening.line_checks.empty()) report.lines.push_back("No line check was made.");
   for (const Incident& check : evening.line_checks)
     report.lines.push_back(fmt::format("Line check at {}: {}.", check.clock, check.what));

@@ -12,7 +12,7 @@ using Bytes = std::span<std::uint8_t>;
 using ConstBytes = std::span<const std::uint8_t>;
 
 // Places of the head and of a chunk, as format.h draws them; all numbers are little-endian.
-constexpr std::size_t kHead_bytes = 56;  // Without the roles and the sum.
+constexpr std::size_t kHead_bytes = 60, kHeadOfVersion1_bytes = 56;  // Without the texts and the sum.
 constexpr std::size_t kSum_bytes = 8;
 constexpr std::size_t kChunkSumAt = kChunkHead_bytes - kSum_bytes;
 
@@ -34,10 +34,11 @@ bool IsSameEvening(const LogHead& a, const LogHead& b) {
   return std::chrono::abs(a.booted_at - b.booted_at) < std::chrono::minutes(1);
 }
 
-// Roles that are longer than a reader accepts are cut, so that what is written can always be read.
+// Texts that are longer than a reader accepts are cut, so that what is written can always be read.
 std::vector<std::uint8_t> HeadBytes(const LogHead& head) {
   const std::size_t roles = std::min(head.roles.size(), kMostRoles_bytes);
-  std::vector<std::uint8_t> bytes(kHead_bytes + roles + kSum_bytes);
+  const std::size_t name = std::min(head.box.size(), kMostName_bytes);
+  std::vector<std::uint8_t> bytes(kHead_bytes + roles + name + kSum_bytes);
   std::ranges::copy(kFileMark, bytes.begin());
   wire::PutU32(bytes, 8, kVersion);
   wire::PutU32(bytes, 12, static_cast<std::uint32_t>(bytes.size()));
@@ -47,7 +48,9 @@ std::vector<std::uint8_t> HeadBytes(const LogHead& head) {
   wire::PutU64(bytes, 40, static_cast<std::uint64_t>(head.booted_at.count()));
   wire::PutU32(bytes, 48, static_cast<std::uint32_t>(head.utc_offset_s));
   wire::PutU32(bytes, 52, static_cast<std::uint32_t>(roles));
-  std::copy_n(head.roles.begin(), roles, bytes.begin() + kHead_bytes);
+  wire::PutU32(bytes, 56, static_cast<std::uint32_t>(name));
+  const auto behind = std::copy_n(head.roles.begin(), roles, bytes.begin() + kHead_bytes);
+  std::copy_n(head.box.begin(), name, behind);
   const std::size_t sum_at = bytes.size() - kSum_bytes;
   wire::PutU64(bytes, sum_at, Fnv1a(ConstBytes(bytes).first(sum_at)));
   return bytes;
@@ -56,11 +59,14 @@ std::vector<std::uint8_t> HeadBytes(const LogHead& head) {
 // Lengths are compared with what is there before anything is read by them, and the sum before anything is
 // believed: a log is cut off wherever the power went.
 std::optional<HeadRead> ReadHead(ConstBytes file) {
-  if (file.size() < kHead_bytes + kSum_bytes || !HasMark(file, kFileMark) ||
-      wire::GetU32(file, 8) != kVersion)
-    return std::nullopt;
-  const std::size_t bytes = wire::GetU32(file, 12), roles = wire::GetU32(file, 52);
-  if (roles > kMostRoles_bytes || bytes != kHead_bytes + roles + kSum_bytes || bytes > file.size())
+  if (file.size() < kHead_bytes + kSum_bytes || !HasMark(file, kFileMark)) return std::nullopt;
+  const std::uint32_t version = wire::GetU32(file, 8);
+  if (version == 0 || version > kVersion) return std::nullopt;
+  const std::size_t bytes = wire::GetU32(file, 12), roles = wire::GetU32(file, 52),
+                    name = version == 1 ? 0 : wire::GetU32(file, 56),
+                    texts_at = version == 1 ? kHeadOfVersion1_bytes : kHead_bytes;
+  if (roles > kMostRoles_bytes || name > kMostName_bytes || bytes != texts_at + roles + name + kSum_bytes ||
+      bytes > file.size())
     return std::nullopt;
   const std::size_t sum_at = bytes - kSum_bytes;
   if (wire::GetU64(file, sum_at) != Fnv1a(file.first(sum_at))) return std::nullopt;
@@ -70,8 +76,9 @@ std::optional<HeadRead> ReadHead(ConstBytes file) {
                          .booted_at = Duration(static_cast<std::int64_t>(wire::GetU64(file, 40))),
                          .utc_offset_s = static_cast<std::int32_t>(wire::GetU32(file, 48))},
                 .bytes = bytes};
-  const auto text = file.subspan(kHead_bytes, roles);
-  read.head.roles.assign(text.begin(), text.end());
+  const auto own_roles = file.subspan(texts_at, roles), box = file.subspan(texts_at + roles, name);
+  read.head.roles.assign(own_roles.begin(), own_roles.end());
+  read.head.box.assign(box.begin(), box.end());
   return read;
 }
 

@@ -2,7 +2,8 @@
 //
 //   head    "KAORILOG", version (u32), its length in bytes (u32), layout of the words (u64, WordsLayout), program (u64), show
 //           (u64), when the machine was started by the wall clock (i64, ns since 1970, UTC), how far the wall clock is ahead
-//           of UTC (i32, s), bytes of the roles (u32), the box's own roles.toml, and a checksum (u64) of all before it
+//           of UTC (i32, s), bytes of the roles (u32), bytes of the name (u32, from version 2 on), the box's own roles.toml,
+//           the box's name, and a checksum (u64) of all before it
 //   chunk   "KLOGPART", number (u32), bytes behind its head (u32), frames (u32), flags (u32), frames lost before it (u32), 0
 //           (u32), when its first frame was presented (i64, ns of CLOCK_MONOTONIC), a checksum (u64) of the head before it
 //           and of what follows; then its frames
@@ -30,8 +31,8 @@
 namespace kaori::showlog {
 
 inline constexpr std::string_view kFileMark = "KAORILOG", kChunkMark = "KLOGPART";
-inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::size_t kMostRoles_bytes = std::size_t{64} << 10U;
+inline constexpr std::uint32_t kVersion = 2;  // Version 1 is read too.
+inline constexpr std::size_t kMostRoles_bytes = std::size_t{64} << 10U, kMostName_bytes = 64;
 // A file that has this length is followed by another one; the reader refuses what is a chunk longer.
 inline constexpr std::size_t kFullFile_bytes = std::size_t{32} << 20U;
 inline constexpr std::size_t kMostChunk_bytes = std::size_t{512} << 10U;
@@ -55,6 +56,7 @@ struct LogHead {
       booted_at{};  // CLOCK_MONOTONIC's 0 on the wall clock, since 1970, UTC. Tells one evening from another.
   std::int32_t utc_offset_s = 0;
   std::string roles{};  // The box's own roles.toml; empty: the show's roles play.
+  std::string box{};    // The name of the box that played (gethostname(2)); empty where it is not known.
 };
 
 // Whether both are of one start of the box; a wall clock that was set by less than a minute between them

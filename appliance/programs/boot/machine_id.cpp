@@ -54,4 +54,10 @@ Result<std::string> KeptMachineId(const std::filesystem::path& file) {
   return made;
 }
 
+std::string NameOfBox(const std::string& wanted, const std::string& machine_id) {
+  constexpr std::size_t kShownDigits = 8;
+  if (!wanted.empty()) return wanted;
+  return machine_id.empty() ? "kaori" : "kaori-" + machine_id.substr(0, kShownDigits);
+}
+
 }  // namespace kaori::boot

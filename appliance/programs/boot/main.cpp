@@ -200,8 +200,8 @@ void WriteSetting(const std::string& name, std::string_view text) {
 
 // Leaves in a folder that is there before everything else: for udev's rules a file that is named after the
 // profile, for kaori-input which lines are what, for kaori-stage its time zone and which screen is the
-// operators', and what its status says.
-void ApplySettings() {
+// operators', and what its status says. Returns the name that the settings give the box, or nothing.
+std::string ApplySettings() {
   auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Report(profile.fault);
   if (const auto fault = DropUnknownZone(profile, kZones); !fault.empty()) Report(fault);
@@ -217,18 +217,27 @@ void ApplySettings() {
   WriteSetting("slot", kaori::boot::SlotOf(command_line));
   WriteSetting("faults", g_faults);
   if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
+  return profile.box_name;
 }
 
-// Lays the box's own number over the root's empty /etc/machine-id: the journal keeps its files in a folder of
-// that name, and without it systemd would make up another number at each start. A copy in memory, so that
-// nothing holds the partition.
-void ApplyMachineId() {
-  const auto id = kaori::boot::KeptMachineId(std::string(kData) + "/machine-id");
-  if (!id) return Report(id.error().message());
-  WriteSetting("machine-id", *id + "\n");
-  const std::string copy = std::string(kProfiles) + "/machine-id";
-  if (::mount(copy.c_str(), "/etc/machine-id", nullptr, MS_BIND, nullptr) != 0)
-    Report("the box's own number cannot be laid over /etc/machine-id");
+// Writes a setting and lays it over an empty or general file of the root: a copy in memory, so that nothing holds the
+// partition.
+void LayOver(const std::string& file, const std::string& setting, const std::string& text) {
+  WriteSetting(setting, text + "\n");
+  const std::string copy = std::string(kProfiles) + "/" + setting;
+  if (::mount(copy.c_str(), file.c_str(), nullptr, MS_BIND, nullptr) != 0)
+    Report("the box's own " + setting + " cannot be laid over " + file);
+}
+
+// Lays the box's own number over the root's empty /etc/machine-id, since the journal keeps its files in a folder of that
+// name and systemd would else make up another number at each start; and its name over /etc/hostname, which systemd takes.
+void ApplyIdentity(const std::string& wanted_name) {
+  const auto number = kaori::boot::KeptMachineId(std::string(kData) + "/machine-id");
+  if (number)
+    LayOver("/etc/machine-id", "machine-id", *number);
+  else
+    Report(number.error().message());
+  LayOver("/etc/hostname", "name", kaori::boot::NameOfBox(wanted_name, number.value_or("")));
 }
 
 // Everything before systemd. The splash has a process of its own, so that a slow card holds nothing up.
@@ -248,8 +257,8 @@ void Boot() {
   const bool keeps = MountData();
   mounted->write_end.reset();
   GiveCards();
-  ApplySettings();
-  if (keeps) ApplyMachineId();
+  const std::string wanted_name = ApplySettings();
+  if (keeps) ApplyIdentity(wanted_name);
   if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder))
     Report("Mesa cannot be told which shaders it has");
   if (child > 0) AwaitClose(done->read_end, kLongestSplash_ms);

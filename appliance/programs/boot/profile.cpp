@@ -54,6 +54,17 @@ bool IsOfScreenName(char letter) {
          (letter >= '0' && letter <= '9');
 }
 
+// It becomes the host's name, and a part of files' names (RFC 1123, 2.1, but that it is shorter).
+std::string ParseBoxName(std::string_view value, std::string& name) {
+  constexpr std::size_t kLongestBoxName = 32;
+  const auto wanted = IsQuoted(value) ? value.substr(1, value.size() - 2) : std::string_view{};
+  if (wanted.empty() || wanted.size() > kLongestBoxName || wanted.front() == '-' || wanted.back() == '-' ||
+      !std::ranges::all_of(wanted, IsOfScreenName))
+    return "expected a name for the box of at most 32 letters, digits and \"-\", as in \"left-lobby\"";
+  name = wanted;
+  return {};
+}
+
 // Sockets of a card have short names; what has none of that kind is a slip of somebody's hand. A number
 // counts from 1 and has no leading zero.
 std::string ParseScreen(std::string_view value, std::string& screen) {
@@ -148,6 +159,7 @@ class Reading {
       return key == "zone" ? ParseZone(value, profile_.zone)
                            : "there is no setting " + std::string(key) + " of [clock]";
     if (key == "profile") return ParseProfileName(value, profile_.name);
+    if (key == "name") return ParseBoxName(value, profile_.box_name);
     if (key == "status_screen") return ParseScreen(value, profile_.status_screen);
     if (key == "dial_box") return ParseDialBox(value, profile_.dial_box);
     if (key == "dial_box_counts") return ParseDialBoxCounts(value, profile_.dial_box_counts);

@@ -14,6 +14,7 @@ namespace kaori::boot {
 //                       unauthorised
 //             "kiosk"   the same without keyboards: visitors stand before the box
 //             "bench"   everything
+//   name = "left-lobby" what this box is called, where there are several: 1 to 32 letters, digits and "-"
 //   status_screen = "HDMI-A-2", or = 2   the screen that says how the box does, by its name or its number;
 //                       where it is the only one it is the show's
 //   dial_box = "/dev/serial/by-path/...=sgi"   a dial box of 1993 on a serial line, and which of the kinds sgi,
@@ -25,6 +26,7 @@ namespace kaori::boot {
 struct Profile {
   // "stage", "kiosk" or "bench".
   std::string name = "stage";
+  std::string box_name{};  // Empty: none was given.
   // As the section [lines] says, over the box's default.
   Wiring wiring{};
   std::string status_screen{};  // Empty: none.

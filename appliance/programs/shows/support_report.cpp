@@ -150,15 +150,17 @@ Result<std::string> ReadJournal(const JournalSource& source, JournalPart part, s
   return OutputOf(words, most_bytes, kLongestReading);
 }
 
+std::string NameForFiles(std::string host, const std::string& number) {
+  if (!host.ends_with(number)) host += "-" + number;
+  for (char& c : host)
+    if (!((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'))) c = '-';
+  return host;
+}
+
 std::string BoxName(const SupportPlaces& places) {
   utsname host{};
   ::uname(&host);
-  std::string name = host.nodename;
-  const std::string number = LineOf(places.machine_id).substr(0, kNumberDigits);
-  if (!number.empty()) name += "-" + number;
-  for (char& c : name)
-    if (!((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'))) c = '-';
-  return name;
+  return NameForFiles(host.nodename, LineOf(places.machine_id).substr(0, kNumberDigits));
 }
 
 // What a technician asks first stands first; the journal, which is long, last.

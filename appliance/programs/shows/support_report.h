@@ -39,8 +39,11 @@ struct SupportPlaces {
   status::Places status{};
 };
 
-// By which boxes are told apart, as a part of a file's name: the host's name and the beginning of the box's
-// number (machine-id(5)), "kaori-1a2b3c4d". Letters, digits and "-" alone.
+// A box's name as a part of a file's name: the host's name and, where that does not end with it, the beginning of the
+// box's number: "kaori-1a2b3c4d", "left-lobby-1a2b3c4d". What is no letter and no digit becomes "-". Pure.
+std::string NameForFiles(std::string host, const std::string& number);
+
+// The name of this box, by uname(2) and its number (machine-id(5)).
 std::string BoxName(const SupportPlaces& places);
 
 inline constexpr std::size_t kMostSupport_bytes = std::size_t{5} << 20U;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -187,6 +188,8 @@ showlog::LogHead HeadOfLog(std::uint64_t show, const fs::path& roles, Time now) 
   if (const auto program = ReadFile("/proc/self/exe", {.most_bytes = std::size_t{256} << 20U}))
     head.program = Fnv1a(*program);
   if (auto text = ReadFile(roles, {.most_bytes = showlog::kMostRoles_bytes})) head.roles = std::move(*text);
+  utsname host{};
+  if (::uname(&host) == 0) head.box = host.nodename;
   const std::time_t wall = std::time(nullptr);
   std::tm local{};
   if (::localtime_r(&wall, &local) != nullptr) head.utc_offset_s = static_cast<std::int32_t>(local.tm_gmtoff);

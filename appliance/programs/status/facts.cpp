@@ -37,7 +37,8 @@ bool IsAscii(char letter) {
 
 // All files are small and lie in memory (/run), so that reading them anew each second costs next to nothing.
 Facts ReadFacts(const Places& places) {
-  Facts facts{{},
+  Facts facts{WordOf(places.settings / "name"),
+              {},
               WordOf(places.settings / "root_hash"),
               WordOf(places.settings / "slot"),
               WordOf(places.settings / "status_screen"),

@@ -45,8 +45,8 @@ std::string FrameTime(Duration length) {
 
 // A box whose root file system is not verified says so in its first line: nobody can know then what it runs.
 Line Title(const Facts& facts) {
-  std::string words =
-      facts.profile.empty() ? "This program was not started as a box" : "Profile " + facts.profile;
+  std::string words = facts.name.empty() ? "" : "This box is " + facts.name + ". ";
+  words += facts.profile.empty() ? "This program was not started as a box" : "Profile " + facts.profile;
   words += facts.root_hash.empty()
                ? "; the root file system is not verified."
                : "; the root file system is verified, hash " + facts.root_hash.substr(0, kHashShown) +

@@ -3,9 +3,12 @@
 
 #include <cstring>
 #include <random>
+#include <span>
 
 #include "appliance/core/board/lines.h"
 #include "appliance/core/performance/levels.h"
+#include "drivers/base/checksum.h"
+#include "firmware/wire/bytes.h"
 #include "hw-sim/evening/allocations.h"
 #include "tests/appliance/core/showlog_fixture.h"
 
@@ -171,6 +174,31 @@ TEST_F(ShowLogTest, KeepsWhatAnEditorChangedBetweenTwoFrames) {
   while (replay.Next()) {
   }
   EXPECT_EQ(replay.frames_that_differ(), 0U);
+}
+
+TEST_F(ShowLogTest, SaysWhichBoxPlayedAndAHeadOfVersion1SaysNone) {
+  head_.box = "left-lobby";
+  head_.roles = "roles";
+  const auto read = ReadHead(HeadBytes(head_));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->head.box, "left-lobby");
+  EXPECT_EQ(read->head.roles, "roles");
+  head_.box.assign(1000, 'a');
+  EXPECT_EQ(ReadHead(HeadBytes(head_)).value().head.box.size(), kMostName_bytes);
+
+  head_.box.clear();
+  auto old = HeadBytes(head_);
+  constexpr std::ptrdiff_t kNameLengthAt = 56, kLength = 4, kSum = 8;
+  old.erase(old.begin() + kNameLengthAt, old.begin() + kNameLengthAt + kLength);
+  wire::PutU32(old, 8, 1);
+  wire::PutU32(old, 12, static_cast<std::uint32_t>(old.size()));
+  const std::size_t sum_at = old.size() - kSum;
+  wire::PutU64(old, sum_at, Fnv1a(std::span<const std::uint8_t>(old).first(sum_at)));
+  const auto first = ReadHead(old);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->head.roles, "roles");
+  EXPECT_EQ(first->head.show, head_.show);
+  EXPECT_EQ(first->bytes, old.size());
 }
 
 TEST_F(ShowLogTest, ThatIsTornOrSpoiltIsNamedAndTheRestIsPlayed) {

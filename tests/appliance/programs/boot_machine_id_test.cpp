@@ -62,5 +62,12 @@ TEST_F(MachineId, ThatCannotBeKeptIsAnErrorThatNamesTheFile) {
   EXPECT_THAT(made.error().message(), ::testing::HasSubstr("machine-id"));
 }
 
+TEST(BoxName, IsAsTheSettingsSayOrTellsBoxesApartByTheirNumbers) {
+  const std::string number = "1a2b3c4d5e6f40112233445566778899";
+  EXPECT_EQ(NameOfBox("left-lobby", number), "left-lobby");
+  EXPECT_EQ(NameOfBox("", number), "kaori-1a2b3c4d");
+  EXPECT_EQ(NameOfBox("", ""), "kaori");
+}
+
 }  // namespace
 }  // namespace kaori::boot

@@ -100,6 +100,17 @@ TEST(Profile, NamesTheScreenThatSaysHowTheBoxDoes) {
         << wrong;
 }
 
+TEST(Profile, NamesTheBox) {
+  EXPECT_THAT(ReadProfile("profile = \"stage\"\n").box_name, IsEmpty());
+  EXPECT_EQ(ReadProfile("name = \"left-lobby\"  # the one by the door\nprofile = \"kiosk\"").box_name,
+            "left-lobby");
+  for (const std::string& wrong :
+       {std::string("left"), std::string("\"\""), std::string("\"left lobby\""), std::string("\"-left\""),
+        std::string("\"left.example\""), "\"" + std::string(33, 'a') + "\""})
+    EXPECT_THAT(ReadProfile("name = " + wrong).fault, HasSubstr("line 1: expected a name for the box"))
+        << wrong;
+}
+
 TEST(Profile, NamesTheTimeZoneOfTheHouse) {
   EXPECT_THAT(ClockEnvironmentOf(ReadProfile("profile = \"kiosk\"")), IsEmpty());
   const auto read = ReadProfile("[clock]\nzone = \"Asia/Tokyo\"  # here\n[lines]\ngo = 7\n");

@@ -143,6 +143,9 @@ TEST_F(SupportTest, OfFaultySettingsShowsTheFaultAlone) {
 TEST_F(SupportTest, IsNamedAfterTheBoxAndTheDate) {
   Put("machine-id", "1a2b3c4d5e6f00112233445566778899\n");
   EXPECT_THAT(BoxName(places_), ::testing::EndsWith("-1a2b3c4d"));
+  EXPECT_EQ(NameForFiles("left lobby", "1a2b3c4d"), "left-lobby-1a2b3c4d");
+  EXPECT_EQ(NameForFiles("kaori-1a2b3c4d", "1a2b3c4d"), "kaori-1a2b3c4d") << "the number stands there once";
+  EXPECT_EQ(NameForFiles("left-lobby", ""), "left-lobby");
   EXPECT_THAT(BoxName(places_), ::testing::MatchesRegex("[A-Za-z0-9-]+"));
   EXPECT_THAT(SupportFileName("kaori-1a2b3c4d", kWall),
               ::testing::MatchesRegex("kaori-1a2b3c4d-2026[0-9]{4}-[0-9]{6}\\.txt"));

@@ -113,7 +113,9 @@ TEST_F(StatusWords, TheTitleSaysProfileAndRoot) {
   state_.facts.root_hash = std::string(128, 'b');
   EXPECT_THAT(Said("Kaori box"), AllOf(HasSubstr("Profile kiosk"), HasSubstr("hash bbbbbbbbbbbb.")));
   state_.facts.slot = "B";
-  EXPECT_THAT(Said("Kaori box"), HasSubstr("hash bbbbbbbbbbbb, slot B."));
+  state_.facts.name = "left-lobby";
+  EXPECT_THAT(Said("Kaori box"), AllOf(HasSubstr("This box is left-lobby. Profile kiosk"),
+                                       HasSubstr("hash bbbbbbbbbbbb, slot B.")));
 }
 
 TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
@@ -234,15 +236,13 @@ TEST_F(StatusSheet, WhatBecameAFaultIsSaidBeforeANumberThatChanged) {
 }
 
 TEST_F(StatusSheet, MissingThingsAreAmberAndFaultsAreRed) {
-  lines_ = {{Mark::kMissing, "camera", "not plugged in"}};
-  const auto amber = DrawAll(lines_, 640, 480).value();
+  const auto amber = DrawAll({{Mark::kMissing, "camera", "not plugged in"}}, 640, 480).value();
   EXPECT_GT(Count(amber, {0, 480}, 235, 170, 50), 100);
   EXPECT_EQ(Count(amber, {0, 480}, 240, 80, 70), 0);
-  lines_ = {{Mark::kFault, "camera", "broken"}};
-  EXPECT_GT(Count(DrawAll(lines_, 640, 480).value(), {0, 480}, 240, 80, 70), 100);
+  EXPECT_GT(Count(DrawAll({{Mark::kFault, "camera", "broken"}}, 640, 480).value(), {0, 480}, 240, 80, 70),
+            100);
 }
 
-// The longest sentences of all, on screens that are not wide.
 TEST_F(StatusSheet, EverySentenceIsShownToItsEnd) {
   State state{.board = {}, .sound = {}, .facts = {}, .now = Time{} + 1h};
   state.facts.profile = "stage";
@@ -292,8 +292,8 @@ TEST_F(StatusSheet, SaysItInLettersThatCanBeReadInSmall) {
   const auto rows = sheet.DrawNext(lines_);
   ASSERT_TRUE(rows);
   EXPECT_GE(rows->end - rows->first, 12) << "pixels from line to line";
-  const int all = 480 * (rows->end - rows->first);
-  EXPECT_LT(Count(sheet.picture(), *rows, 16, 18, 22), all - 200) << "there is ink";
+  EXPECT_LT(Count(sheet.picture(), *rows, 16, 18, 22), 480 * (rows->end - rows->first) - 200)
+      << "there is ink";
 }
 
 }  // namespace
