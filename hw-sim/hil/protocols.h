@@ -41,8 +41,9 @@ class UnauthorisedDeviceProtocol {
   // Success means that the device is on the bus, not that the box uses it. Errors: no_such_device (no
   // power), invalid_argument (QEMU's own message).
   virtual Result<void> PlugUnauthorised(UnauthorisedDevice device) = 0;
-  // Plugs in a USB stick with that image of a disk, an absolute path, which is only read. Errors: as above.
-  virtual Result<void> PlugStick(const std::string& image) = 0;
+  // Plugs in a USB stick with that image of a disk, an absolute path; unless it is writable it is only read.
+  // Errors: as above.
+  virtual Result<void> PlugStick(const std::string& image, bool writable) = 0;
   // Pulls what was plugged in. Errors: as above; where there is none QEMU says so (invalid_argument).
   virtual Result<void> PullUnauthorised() = 0;
 };

@@ -134,12 +134,12 @@ Result<void> QemuDriver::PlugUnauthorised(UnauthorisedDevice device) {
 
 // An image keeps its name in QEMU after its stick was pulled: each stick gets the next one.
 // Read-only, so that two runs can share an image.
-Result<void> QemuDriver::PlugStick(const std::string& image) {
+Result<void> QemuDriver::PlugStick(const std::string& image, bool writable) {
   if (!qmp_) return Fail(std::errc::no_such_device, "plug in a stick");
   const std::string name = fmt::format("stick{}", ++sticks_);
   const json::Object file{{"driver", "file"}, {"filename", image}};
   if (auto ok = qmp_->Do("blockdev-add",
-                         {{"driver", "raw"}, {"node-name", name}, {"read-only", true}, {"file", file}});
+                         {{"driver", "raw"}, {"node-name", name}, {"read-only", !writable}, {"file", file}});
       !ok)
     return ok;
   return qmp_->Do(

@@ -37,7 +37,7 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   Result<void> Shoot(int head, const std::string& file) override;
   Result<void> PlugScreen(int head, int width_px, int height_px) override;
   Result<void> PlugUnauthorised(UnauthorisedDevice device) override;
-  Result<void> PlugStick(const std::string& image) override;
+  Result<void> PlugStick(const std::string& image, bool writable) override;
   Result<void> PullUnauthorised() override;
   // A short press of the machine's power button. Errors: as Qmp::Do; no_such_device, it is off.
   Result<void> PressPower();

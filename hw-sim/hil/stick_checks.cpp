@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/process.h"
 #include "hw-sim/hil/strategy.h"
 
 namespace kaori::hil {
@@ -19,6 +21,7 @@ constexpr Duration kStickAnswer = seconds(60);
 constexpr Duration kLongestReading = seconds(240);  // The kernel waits before it asks a stick; so does udev.
 constexpr Duration kLongestInstalling = minutes(20);  // At the lowest priority, beside a face that wants all.
 constexpr Duration kLongestChange = minutes(5);       // Until the stage draws with another show.
+constexpr std::size_t kLargestSupport_bytes = std::size_t{8} << 20U;  // More than the box writes.
 constexpr Duration kRateSpan = seconds(20);
 constexpr int kStickKey = 2;                      // A line of the bridge, as docs/image.md wires it.
 constexpr std::uint8_t kOne = 0x1E, kTwo = 0x1F;  // Keys, HID page 7.
@@ -52,7 +55,7 @@ Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longes
 
 // Where the rig leaves a port free, as for unauthorised devices: one at a time.
 Result<void> Plug(Scene& scene, const char* stick) {
-  return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick);
+  return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick, false);
 }
 
 // Presses a key until the box says what it should of it: it may have looked at the keys for the last time
@@ -151,6 +154,48 @@ Result<void> WantDamagedRefused(Scene& scene, const std::string& id) {
   return WantPlayed(scene, id);
 }
 
+// The key of the list's line with these words: its number, 1 to 9. Errors: invalid_argument, there is none.
+Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words) {
+  const std::string said = TextInBox(scene, kSaid);
+  const std::size_t at = said.find(words);
+  const std::size_t number =
+      at == std::string::npos ? at : said.find_first_of("123456789", said.rfind('\n', at) + 1);
+  if (number >= at) return FailInput(fmt::format("the list has no \"{}\", but says \"{}\"", words, said));
+  return static_cast<std::uint8_t>(kOne + (said[number] - '1'));
+}
+
+// The support file, onto a stick that holds nothing; the copy of the stick is what this computer then reads, as a
+// technician does.
+Result<void> WantSupportFile(Scene& scene) {
+  constexpr std::string_view kLine = "support file for a technician";
+  const std::string stick = scene.folder + "/support.stick", read = scene.folder + "/support";
+  std::error_code failed;
+  std::filesystem::copy_file(scene.target.machine().options().sticks + "/empty.stick", stick,
+                             std::filesystem::copy_options::overwrite_existing, failed);
+  if (failed) return Fail(failed, "copy the empty stick");
+  if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
+  if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, kLine, kLongestReading); !ok) return ok;
+  const auto key = KeyOfLine(scene, kLine);
+  if (!key) return tl::unexpected(key.error());
+  if (auto ok = PressFor(scene, *key, "it is on the stick, for a technician"); !ok) return ok;
+  if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
+  std::filesystem::remove_all(read);
+  std::filesystem::create_directories(read);
+  if (auto ok = RunToEnd({"mcopy", "-i", stick, "::/kaori-*.txt", read}, scene.folder + "/mcopy.log"); !ok)
+    return tl::unexpected(ok.error());
+  for (const auto& file : std::filesystem::directory_iterator(read)) {
+    const std::string text = ReadFile(file.path(), {.most_bytes = kLargestSupport_bytes}).value_or("");
+    for (const std::string_view part :
+         {"Support file of the box kaori-", "Why the last starts ended", "== Journal =="})
+      if (text.find(part) == std::string::npos)
+        return FailInput(fmt::format("the support file has no \"{}\"", part));
+    scene.finding.figures["support_file_kb"] = static_cast<double>(text.size()) * 1e-3;
+    return {};
+  }
+  return FailInput("there is no support file on the stick");
+}
+
 // The lines go with kaori-shows; the kernel is told by udev once that has ended.
 // Nothing is said of it any more, and the kernel has let it go.
 Result<void> WantDead(Scene& scene) {
@@ -172,6 +217,7 @@ Result<std::string> BringBoth(Scene& scene) {
   if (ok && !id) ok = tl::unexpected(id.error());
   if (ok) ok = WantPlayed(scene, *id);
   if (ok) ok = WantDamagedRefused(scene, *id);
+  if (ok) ok = WantSupportFile(scene);
   scene.target.rig().gpio().Open(kStickKey);
   if (ok) ok = WantDead(scene);
   if (ok) ok = scene.ShootFace("stick", "A company's own show, which a stick brought");
@@ -200,8 +246,9 @@ Result<void> Stick(Scene& scene) {
   std::filesystem::remove(disk->file);
   scene.finding.said = fmt::format(
       "a show and its key were brought and the show played, also after the power was off; a damaged one was "
-      "refused; the face kept {:.2f} of its rate meanwhile",
-      scene.finding.figures["install_under_play_rate"]);
+      "refused; the face kept {:.2f} of its rate meanwhile; a support file of {:.0f} KB was written onto a "
+      "stick",
+      scene.finding.figures["install_under_play_rate"], scene.finding.figures["support_file_kb"]);
   return ok;
 }
 

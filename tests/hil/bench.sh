@@ -56,8 +56,8 @@ pack_small_show() {
     fail "the show of a stick could not be packed; see $LOGS/sticks.log"
 }
 
-# Two sticks: a show of a theatre that the box does not know, with its key, in a partition as sticks are sold; and another
-# show with some bytes changed, on a stick without partitions.
+# Three sticks: a show of a theatre that the box does not know, with its key, in a partition as sticks are sold; another
+# show with some bytes changed, on a stick without partitions; and an empty one.
 make_sticks() {
   local folder
   say "making sticks"
@@ -75,6 +75,8 @@ make_sticks() {
   fill_stick 2048 $STICKS/evening.stick "$folder/evening.kaori" "$folder/theatre.pub"
   printf 'damaged' | dd of="$folder/matinee.kaori" bs=1 seek=$(($(stat -c %s "$folder/matinee.kaori") / 2)) conv=notrunc status=none
   fill_stick 0 $STICKS/damaged.stick "$folder/matinee.kaori"
+  truncate -s 64M $STICKS/empty.stick
+  mkfs.vfat -F 32 -n STICK $STICKS/empty.stick >"$LOGS/sticks.log" || fail "a stick could not be made; see $LOGS/sticks.log"
   rm -r "$folder"
 }
 
