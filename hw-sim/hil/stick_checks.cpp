@@ -172,7 +172,7 @@ Result<void> WantSupportFile(Scene& scene) {
   std::error_code failed;
   std::filesystem::copy_file(scene.target.machine().options().sticks + "/empty.stick", stick,
                              std::filesystem::copy_options::overwrite_existing, failed);
-  if (failed) return Fail(failed, "copy the empty stick");
+  if (failed) return Fail(static_cast<std::errc>(failed.value()), "copy the empty stick");
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
   if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return ok;
   if (auto ok = WantStickSaid(scene, kLine, kLongestReading); !ok) return ok;
