@@ -22,7 +22,7 @@ constexpr Duration kDataAnswer = seconds(60);
 // e2fsck and mke2fs read and write some megabytes; the programs start anew after them.
 constexpr Duration kLongestMending = seconds(300);
 constexpr int kServiceLine = 2;  // Of the bridge, as docs/image.md wires it.
-constexpr std::size_t kBlock_bytes = 1024;
+constexpr std::size_t kDataBlock_bytes = 1024;
 constexpr const char* kFaults = "read /run/kaori-profile/faults";
 constexpr const char* kKeptSettings = "read /var/lib/kaori/settings/box.toml";
 
@@ -38,7 +38,7 @@ struct Ruin {
 };
 
 constexpr std::array kRuins{
-    Ruin{"a torn superblock", nullptr, kBlock_bytes, kBlock_bytes, "is mounted by a copy", "", true},
+    Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, "is mounted by a copy", "", true},
     Ruin{"a lost journal", "clri <8>", 0, 0, "cannot be mounted", "is mended", true},
     Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, "cannot be mounted", "what was kept is lost", false}};
 

@@ -20,7 +20,10 @@
 //   lines request CHIP IN,IN OUT,OUT GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
 //   lines drive N 0|1            output number N
+//   damaged-disks FIRST COUNT    mounts and reads so many damaged file systems, as DamagedDisks says
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -31,10 +34,12 @@
 
 #include "appliance/core/board/board.h"
 #include "drivers/base/log.h"
+#include "drivers/base/number.h"
 #include "drivers/gpio/chip_lines.h"
 #include "hw-sim/devices/voice_file.h"
 #include "tests/hil/agent/actions.h"
 #include "tests/hil/agent/board_json.h"
+#include "tests/hil/agent/damaged_disks.h"
 #include "tests/hil/agent/first_program.h"
 #include "tests/hil/agent/serial_line.h"
 #include "tests/hil/agent/usb_view.h"
@@ -76,6 +81,7 @@ class Agent {
     if (verb == "said" && words.size() == 1) return started_.Said(words[0]);
     if (verb == "end" && words.size() == 1) return started_.End(words[0]);
     if (verb == "lines") return Lines(words);
+    if (verb == "damaged-disks" && words.size() == 2) return TryDamagedDisks(words);
     if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
     if (verb == "read" && words.size() == 1) return kaori::agent::ReadIn(roots_.box.get(), words[0]);
     if (verb == "write" && words.size() == 2)
@@ -135,6 +141,19 @@ class Agent {
     return std::string();
   }
 
+  // The good file systems are made once: it takes seconds.
+  Result<std::string> TryDamagedDisks(const Words& words) {
+    const auto first = kaori::ParseNumber<std::uint64_t>(words[0]);
+    const auto count = kaori::ParseNumber<std::uint64_t>(words[1]);
+    if (!first || !count) return kaori::FailInput("damaged-disks FIRST COUNT");
+    if (!damaged_) {
+      auto made = kaori::agent::DamagedDisks::Make();
+      if (!made) return tl::unexpected(made.error());
+      damaged_.emplace(std::move(*made));
+    }
+    return damaged_->Try(*first, *count);
+  }
+
   // "LINE 0|1 AT_NS", a line each.
   Result<std::string> Edges() {
     std::string told;
@@ -151,6 +170,7 @@ class Agent {
   kaori::SteadyClock clock_;
   kaori::agent::Started started_;
   std::unique_ptr<kaori::ports::GpioLines> lines_;
+  std::optional<kaori::agent::DamagedDisks> damaged_;
 };
 
 }  // namespace
