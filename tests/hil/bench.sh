@@ -99,6 +99,7 @@ run_check() {
 run_all_checks() {
   run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
+  run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
 }
 
 # --chosen: what runs each time.
@@ -107,7 +108,7 @@ test_on_the_bench() {
   need "${MACHINE_PACKAGES[@]}"
   [ $# -gt 0 ] || need "${WINDOW_PACKAGES[@]}" "${LONG_PACKAGES[@]}"
   image
-  build release kaori-atelier kaori-bench kaori-hil-agent kaori-gadget kaori-lips kaori-camera-libcamera kaori-input-latency
+  build release kaori-atelier kaori-bench kaori-hil-agent kaori-gadget kaori-lips kaori-camera-libcamera kaori-input-latency test-desk
   if [ $# -gt 0 ]; then
     say "running the chosen checks on the image in a virtual machine"
     run_checks --chosen --replugs 24 --scenes 2 || fail "the box failed on the bench"

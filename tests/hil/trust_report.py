@@ -1,0 +1,70 @@
+#!/usr/bin/env -S python3 -B
+"""Writes what shows that a box can be trusted: trust_report.py BOOT.json TEST-DESK FILE.json
+
+BOOT.json holds the figures of the bench's long mode (kaori-bench --figures), TEST-DESK is the program of the desk's tests. FILE
+gets one figure for each key of BOUNDS; ends with 1 where one is missing or out of its bounds, and names it.
+
+  fat_images, fat_images_hung    damaged file systems of sticks that were mounted, and those on which the kernel hung
+  usb_liars, usb_liars_let_in    USB devices that are not what they say, and those of them that were authorised
+  hung_program_back_s            until a program of the box that hangs is replaced and delivers again, in an emulated machine
+  silent_clients_wait_ms         until a visitor is answered behind a thousand connections that say nothing
+"""
+
+import json
+import math
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+# The least and the most of each.
+BOUNDS = {"fat_images": (10_000, math.inf), "fat_images_hung": (0, 0), "usb_liars": (18, math.inf), "usb_liars_let_in": (0, 0),
+          "hung_program_back_s": (0, 5), "silent_clients_wait_ms": (0, 1000)}
+HUNG = ("hung_input_back_s", "hung_lips_back_s")
+CROWD = "*DoNotWaitForAThousandWhoSayNothingOrHalfAWord"
+
+
+def wait_of_visitor(program):
+    """What the test of the desk recorded; None where it did not pass."""
+    with tempfile.TemporaryDirectory() as folder:
+        said = Path(folder) / "said.json"
+        done = subprocess.run([program, f"--gtest_filter={CROWD}", f"--gtest_output=json:{said}"], stdout=subprocess.DEVNULL,
+                              check=False)
+        if done.returncode != 0:
+            return None
+        cases = [case for suite in json.loads(said.read_text())["testsuites"] for case in suite["testsuite"]]
+    return next((float(case["silent_clients_wait_ms"]) for case in cases if "silent_clients_wait_ms" in case), None)
+
+
+def figures(seen, wait_ms):
+    """One figure for each key; None where the bench or the test did not measure it."""
+    hung = [seen[name] for name in HUNG if name in seen]
+    known = seen | {"silent_clients_wait_ms": wait_ms,
+                    "hung_program_back_s": max(hung) if len(hung) == len(HUNG) else None}
+    return {name: known.get(name) for name in BOUNDS}
+
+
+def faults(found):
+    """A line for each figure that is missing or out of its bounds."""
+    for name, (least, most) in BOUNDS.items():
+        value = found[name]
+        if value is None:
+            yield f"{name} was not measured"
+        elif not least <= value <= most:
+            yield f"{name} is {value:g}, and {least:g} to {most:g} is wanted"
+
+
+def main():
+    boot, program, file = (Path(word).resolve() for word in sys.argv[1:4])
+    found = figures(json.loads(boot.read_text()) if boot.is_file() else {}, wait_of_visitor(program))
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(found, indent=2) + "\n")
+    print("\n".join(f"{name:24} {value}" for name, value in found.items()))
+    wrong = list(faults(found))
+    for line in wrong:
+        print(f"trust_report.py: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
