@@ -16,6 +16,8 @@ namespace kaori::import {
 namespace {
 
 constexpr Index kNoSkin = std::numeric_limits<Index>::max();
+// What is left of a tongue's height, and how far its tip is drawn back.
+constexpr float kTongueFlat = 0.5F, kTongueBack_m = 0.005F;
 
 bool IsEye(PartOf part) {
   return part == PartOf::kLeftEye || part == PartOf::kRightEye;
@@ -126,6 +128,26 @@ void KeepByForm(HeadShape completed, Heads& heads) {
   form.lids = completed.lids;
 }
 
+// Modellers make a tongue that fills the mouth, as it does while the lips are shut; with the jaw's own motion
+// it then stands before the upper teeth as a wall. At rest nobody sees it, so it is laid down: flatter, from
+// its lower side, and drawn back from the teeth at its tip.
+void LayDownTongue(const std::vector<PartOf>& part, std::vector<glm::vec3>& positions) {
+  float low = std::numeric_limits<float>::max(), back = low, front = std::numeric_limits<float>::lowest();
+  for (std::size_t v = 0; v < part.size(); ++v) {
+    if (part[v] != PartOf::kTongue) continue;
+    low = std::min(low, positions[v].y);
+    back = std::min(back, positions[v].z);
+    front = std::max(front, positions[v].z);
+  }
+  for (std::size_t v = 0; v < part.size(); ++v) {
+    if (part[v] != PartOf::kTongue) continue;
+    glm::vec3& at = positions[v];
+    const float tip = front > back ? (at.z - back) / (front - back) : 0.0F;
+    at.y = low + (at.y - low) * kTongueFlat;
+    at.z -= kTongueBack_m * tip;
+  }
+}
+
 // values[i] becomes what was at order[i].
 template <class T>
 void Reorder(const std::vector<Index>& order, std::vector<T>& values) {
@@ -152,6 +174,7 @@ Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& fin
   for (const Model& model : models) {
     Head head = MakeHead(model, heads, eyes_z_m);
     head.name = FreeName(heads, head.name);
+    LayDownTongue(heads.part, head.positions);
     heads.heads.push_back(std::move(head));
   }
   AddShapes(first, heads);

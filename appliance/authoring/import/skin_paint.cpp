@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "appliance/authoring/import/lid_paint.h"
+
 namespace kaori::import {
 namespace {
 
@@ -15,12 +17,13 @@ constexpr int kSide_px = 1024;
 // In shares: triangles are drawn this much beyond their edges, so that filtering at a seam meets
 // paint, not ground.
 constexpr float kMargin = -0.15F;
+// A triangle whose middle is farther from an opening has no pixel that the lids' paint reaches.
+constexpr float kLidsReach_m = 0.02F;
 // Of the show's texture's side: corners farther apart lie on both sides of its seam, and what is between them
 // is none of the face.
 constexpr float kFarthestApart = 0.08F;
 
-using Colour = std::array<std::uint8_t, 4>;
-// Red, green, blue as sRGB, and gloss.
+using Colour = PaintColour;
 constexpr Colour kSkin{222, 184, 163, 40};
 constexpr Colour kTeeth{232, 226, 212, 150};
 constexpr Colour kTongue{186, 92, 92, 120};
@@ -63,15 +66,6 @@ Colour At(const face::Texture& texture, const glm::vec2& place) {
   return {texture.rgba[at], texture.rgba[at + 1], texture.rgba[at + 2], texture.rgba[at + 3]};
 }
 
-// In sRGB as it is stored: the ground is near to the paint where they are mixed.
-Colour Mix(const Colour& from, const Colour& to, float share) {
-  Colour mixed{};
-  for (std::size_t i = 0; i < mixed.size(); ++i)
-    mixed[i] = static_cast<std::uint8_t>(
-        std::lround(glm::mix(static_cast<float>(from[i]), static_cast<float>(to[i]), share)));
-  return mixed;
-}
-
 // A picture in work, of one colour at first.
 class Painting {
  public:
@@ -89,16 +83,27 @@ class Painting {
             const face::Texture& source) {
     ForPixels(uv, [&](int x, int y, const glm::vec3& s) {
       const Colour paint = At(source, s.x * from[0] + s.y * from[1] + s.z * from[2]);
-      Put(x, y, Mix(ground_, paint, std::clamp(glm::dot(s, shown), 0.0F, 1.0F)));
+      Put(x, y, MixPaint(ground_, paint, std::clamp(glm::dot(s, shown), 0.0F, 1.0F)));
     });
+  }
+
+  // Changes what is painted: change(colour, shares) gives the new colour of a pixel.
+  template <class Change>
+  void Repaint(const std::array<glm::vec2, 3>& uv, Change change) {
+    ForPixels(uv, [&](int x, int y, const glm::vec3& s) { Put(x, y, change(Get(x, y), s)); });
   }
 
   face::Texture Release() { return std::move(texture_); }
 
  private:
+  static std::ptrdiff_t PixelAt(int x, int y) { return 4 * (static_cast<std::ptrdiff_t>(y) * kSide_px + x); }
   void Put(int x, int y, const Colour& colour) {
-    std::ranges::copy(colour,
-                      texture_.rgba.own().begin() + 4 * (static_cast<std::ptrdiff_t>(y) * kSide_px + x));
+    std::ranges::copy(colour, texture_.rgba.own().begin() + PixelAt(x, y));
+  }
+  Colour Get(int x, int y) {
+    Colour colour{};
+    std::copy_n(texture_.rgba.own().begin() + PixelAt(x, y), colour.size(), colour.begin());
+    return colour;
   }
   Colour ground_;
   face::Texture texture_;
@@ -122,7 +127,7 @@ std::array<glm::vec2, 3> Corners(const Triangle& t, Value value) {
 // off the cast's own woman.
 float ShownAt(const glm::vec3& p) {
   const float aside = glm::smoothstep(0.050F, 0.066F, std::abs(p.x));
-  const float above = glm::smoothstep(0.040F, 0.056F, p.y);
+  const float above = glm::smoothstep(0.028F, 0.042F, p.y);
   const float below = glm::smoothstep(0.088F, 0.106F, -p.y);
   const float behind = glm::smoothstep(0.0F, 0.02F, -p.z);
   return 1 - std::max({aside, above, below, behind});
@@ -141,6 +146,24 @@ Colour GroundOf(const std::vector<Colour>& paints) {
     ground[channel] = *middle;
   }
   return ground;
+}
+
+// Pixels at the triangles' margins are painted over by each that has them, which changes little where all
+// agree.
+void PaintLids(const Heads& heads, const Colour& ground, Painting& painting) {
+  const LidPaint lids(ShapeOfHeads(heads));
+  const LidColours colours{
+      .skin = ground, .liner = {58, 36, 32, 40}, .rim = MixPaint(ground, {150, 84, 72, 90}, 0.6F)};
+  const auto& at = heads.heads.front().positions;
+  for (const Triangle& t : heads.triangles) {
+    if (heads.part[t[0]] != PartOf::kSkin) continue;
+    const auto near = lids.DistanceOf((at[t[0]] + at[t[1]] + at[t[2]]) / 3.0F);
+    if (!near || *near > kLidsReach_m) continue;
+    painting.Repaint(Corners(t, [&](Index v) { return heads.uv[v]; }),
+                     [&](const Colour& under, const glm::vec3& s) {
+                       return lids.Over(under, s.x * at[t[0]] + s.y * at[t[1]] + s.z * at[t[2]], colours);
+                     });
+  }
 }
 
 // Last, over what the skin's margins have painted beyond their triangles.
@@ -175,7 +198,8 @@ face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, cons
     shown.push_back(ShownAt(spot.Of(show.faces.front().positions)));
     if (shown.back() > 0.02F && shown.back() < 0.4F) at_edge.push_back(At(source, place.back()));
   }
-  Painting painting(GroundOf(at_edge));
+  const Colour ground = GroundOf(at_edge);
+  Painting painting(ground);
   for (const Triangle& t : heads.triangles) {
     if (heads.part[t[0]] != PartOf::kSkin) continue;
     const auto from = Corners(t, [&](Index v) { return place[v]; });
@@ -183,6 +207,7 @@ face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, cons
     painting.Copy(Corners(t, [&](Index v) { return heads.uv[v]; }), from,
                   {shown[t[0]], shown[t[1]], shown[t[2]]}, source);
   }
+  PaintLids(heads, ground, painting);
   FillMouth(heads, painting);
   return painting.Release();
 }
