@@ -1,0 +1,33 @@
+// Pieces and cells that several parts of the monitor's page are made of.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "appliance/programs/monitor/page.h"
+
+namespace kaori::monitor {
+
+// How large things are, all in units of a line that matters.
+struct Pen {
+  int unit = 1;
+
+  int normal() const { return unit; }
+  int large() const { return unit * 7 / 5; }
+  int huge() const { return unit * 5 / 2; }
+  // About the width of a text: letters are counted, and not measured. What is longer all the same is cut
+  // where it is drawn.
+  int WidthOf(std::string_view text, int size_px) const;
+};
+
+// Adds the lines of a text within a box, from its top; the last one that has room is cut where it is drawn.
+void AddLines(const std::string& text, const Pen& pen, Box box, int size_px, const image::Colour& colour,
+              Cell& cell);
+
+// A word of what stands below, and at the right one of how it stands.
+Cell LabelCell(const char* label, const Tag& tag, const Pen& pen, const Box& box);
+
+// A bar from the rest to where the level is, with a line at the rest.
+Cell BarCell(const Level& level, const Pen& pen, const Box& box);
+
+}  // namespace kaori::monitor
