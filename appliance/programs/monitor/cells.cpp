@@ -21,17 +21,31 @@ int Pen::WidthOf(std::string_view text, int size_px) const {
   return letters * size_px * kLetterWidth / 100;
 }
 
-void AddLines(const std::string& text, const Pen& pen, Box box, int size_px, const image::Colour& colour,
-              Cell& cell) {
-  const int pitch = size_px * 13 / 10;
-  std::vector<std::string> lines;
+void AddLines(const Lines& lines, const Pen& pen, Box box, Cell& cell) {
+  const int pitch = std::max(1, lines.size_px * 13 / 10);
+  std::vector<std::string> pieces;
   image::BreakLine(
-      text, [&](std::string_view piece) { return pen.WidthOf(piece, size_px) <= box.width; }, lines);
+      lines.text, [&](std::string_view piece) { return pen.WidthOf(piece, lines.size_px) <= box.width; },
+      pieces);
   const auto room = static_cast<std::size_t>(std::max(1, box.height / pitch));
-  for (std::size_t i = 0; i < std::min(room, lines.size()); ++i) {
-    const bool is_cut = i + 1 == room && lines.size() > room;
-    cell.pieces.push_back({CutTop(box, pitch), colour, is_cut ? lines[i] + " \u2026" : lines[i], size_px});
+  const std::size_t shown = std::min(room, pieces.size());
+  if (lines.in_the_middle) CutTop(box, (box.height - static_cast<int>(shown) * pitch) / 2);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool is_cut = i + 1 == shown && pieces.size() > shown;
+    cell.pieces.push_back(
+        {CutTop(box, pitch), lines.colour, is_cut ? pieces[i] + " \u2026" : pieces[i], lines.size_px});
   }
+}
+
+void AddBadge(const Tag& tag, const Pen& pen, Box& line, Cell& cell) {
+  const int height = pen.unit * 8 / 5, width = pen.WidthOf(tag.words, pen.unit * 6 / 5) + pen.unit;
+  if (width > line.width) return;
+  Box badge = CutRight(line, width);
+  badge.top += (badge.height - height) / 2;
+  badge.height = height;
+  cell.pieces.push_back({badge, tag.colour});
+  cell.pieces.push_back({badge, kNight, tag.words, pen.normal(), Side::kMiddle});
+  CutRight(line, pen.unit / 2);
 }
 
 Cell LabelCell(const char* label, const Tag& tag, const Pen& pen, const Box& box) {
@@ -40,8 +54,10 @@ Cell LabelCell(const char* label, const Tag& tag, const Pen& pen, const Box& box
   CutLeft(line, pen.unit / 2);
   CutRight(line, pen.unit / 2);
   cell.pieces.push_back({line, kQuiet, label, pen.normal()});
+  CutLeft(line, pen.WidthOf(label, pen.unit * 6 / 5));
+  const bool fits = pen.WidthOf(tag.words, pen.large()) <= line.width;
   if (!tag.words.empty())
-    cell.pieces.push_back({line, tag.colour, tag.words, pen.large(), Side::kRight});
+    cell.pieces.push_back({line, tag.colour, tag.words, fits ? pen.large() : pen.normal(), Side::kRight});
   return cell;
 }
 

@@ -20,9 +20,18 @@ struct Pen {
   int WidthOf(std::string_view text, int size_px) const;
 };
 
-// Adds the lines of a text within a box, from its top; the last one that has room is cut where it is drawn.
-void AddLines(const std::string& text, const Pen& pen, Box box, int size_px, const image::Colour& colour,
-              Cell& cell);
+// Adds the lines of a text within a box, from its top or in its middle; the last one that has room is cut
+// where it is drawn.
+struct Lines {
+  const std::string& text;
+  int size_px = 0;
+  image::Colour colour{};
+  bool in_the_middle = false;
+};
+void AddLines(const Lines& lines, const Pen& pen, Box box, Cell& cell);
+
+// A word on a ground of its colour, at the right end of `line`, which it is cut off.
+void AddBadge(const Tag& tag, const Pen& pen, Box& line, Cell& cell);
 
 // A word of what stands below, and at the right one of how it stands.
 Cell LabelCell(const char* label, const Tag& tag, const Pen& pen, const Box& box);

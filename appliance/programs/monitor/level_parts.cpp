@@ -9,6 +9,7 @@ namespace kaori::monitor {
 namespace {
 
 constexpr int kColumns = 2, kRolesInRow = 4;
+constexpr int kRowUnits = 14;  // A name, a bar and an owner beside each other; else letters are smaller.
 
 // As many as there is room for: those that nobody has go first, the last ones before the others.
 std::vector<Level> Fitting(std::vector<Level> levels, std::size_t room) {
@@ -20,18 +21,18 @@ std::vector<Level> Fitting(std::vector<Level> levels, std::size_t room) {
 
 // Name, bar and owner; each a cell of its own, since a bar that moves needs no letters.
 void AddLevel(const Level* level, const Pen& pen, Box row, std::vector<Cell>& cells) {
-  const int u = pen.unit;
-  const Box name = CutLeft(row, row.width * 42 / 100), owner = CutRight(row, row.width * 42 / 100);
+  const int u = std::min(pen.unit, row.width / kRowUnits);
+  const Box name = CutLeft(row, row.width * 46 / 100), owner = CutRight(row, row.width * 45 / 100);
   const Box bar = row;
   const bool has = level != nullptr && !level->owner.empty();
   Box name_line = name, owner_line = owner;
   CutLeft(name_line, u / 2);
   CutLeft(owner_line, u / 2);
   cells.push_back({name, kPanel, {}});
-  if (level != nullptr) cells.back().pieces.push_back({name_line, has ? kText : kQuiet, level->name, pen.normal()});
+  if (level != nullptr) cells.back().pieces.push_back({name_line, has ? kText : kQuiet, level->name, u});
   cells.push_back(level == nullptr ? Cell{bar, kPanel, {}} : BarCell(*level, pen, bar));
   cells.push_back({owner, kPanel, {}});
-  if (has) cells.back().pieces.push_back({owner_line, level->colour, level->owner, pen.normal()});
+  if (has) cells.back().pieces.push_back({owner_line, level->colour, level->owner, u});
 }
 
 // One line for up to four roles, and a second one for more.

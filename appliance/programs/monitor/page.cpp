@@ -19,23 +19,16 @@ void AddHead(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells
   Box clock = CutLeft(box, u * 10);
   cells.push_back({clock, kNight,
                    {{clock, is_known ? kText : kQuiet, is_known ? view.time_of_day : "--:--:--", u * 2}}});
-  const Box act = CutLeft(box, u * 15);
-  Box line = act;
-  Cell cell{act, kNight, {}};
-  const Box time = CutRight(line, view.act_time.empty() ? 0 : u * 6);
-  if (!view.act.empty()) cell.pieces.push_back({line, kQuiet, view.act, pen.large()});
-  if (!view.act_time.empty()) cell.pieces.push_back({time, kText, view.act_time, pen.large()});
-  cells.push_back(std::move(cell));
+  Cell act{CutLeft(box, box.width / 2), kNight, {}};
+  Box line = act.box;
+  const int time_width = view.act_time.empty() ? 0 : u * 6;
+  const Box words =
+      CutLeft(line, std::min(line.width - time_width, pen.WidthOf(view.act, pen.large()) + u / 2));
+  if (!view.act.empty()) act.pieces.push_back({words, kQuiet, view.act, pen.large()});
+  if (!view.act_time.empty()) act.pieces.push_back({line, kText, view.act_time, pen.large()});
+  cells.push_back(std::move(act));
   Cell marks{box, kNight, {}};
-  for (const Tag& mark : view.marks) {
-    const int width = pen.WidthOf(mark.words, pen.normal()) + u;
-    if (width > box.width) break;
-    Box badge = CutRight(box, width);
-    badge = {badge.left, badge.top + (badge.height - u * 8 / 5) / 2, badge.width, u * 8 / 5};
-    marks.pieces.push_back({badge, mark.colour});
-    marks.pieces.push_back({badge, kNight, mark.words, pen.normal(), Side::kMiddle});
-    CutRight(box, u / 2);
-  }
+  for (const Tag& mark : view.marks) AddBadge(mark, pen, box, marks);
   cells.push_back(std::move(marks));
 }
 
@@ -81,7 +74,7 @@ Page LayOut(const View& view, int width_px, int height_px) {
   const int lips_width = std::min(rest.width / 4, rest.height * 5 / 4);
   page.lip_picture = AddLips(view, pen, CutLeft(rest, lips_width), page.cells);
   CutLeft(rest, gap);
-  AddPlaying(view, pen, CutLeft(rest, width_px / 4), page.cells);
+  AddPlaying(view, pen, CutLeft(rest, rest.width * 31 / 100), page.cells);
   CutLeft(rest, gap);
   AddLevels(view, pen, rest, page.cells);
   return page;

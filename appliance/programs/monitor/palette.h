@@ -11,7 +11,7 @@ namespace kaori::monitor {
 using image::Colour;
 
 inline constexpr Colour kNight{9, 10, 13}, kPanel{20, 23, 29}, kGroove{39, 44, 54}, kQuiet{142, 151, 167},
-    kText{237, 240, 245};
+    kSoft{192, 199, 211}, kText{237, 240, 245};
 inline constexpr Colour kRed{255, 92, 82}, kAmber{255, 184, 102}, kGreen{98, 212, 138}, kBlue{111, 170, 255};
 // Those of the demo's page, for the same things.
 inline constexpr Colour kFace{255, 184, 102}, kExpression{255, 143, 163}, kStyle{111, 211, 232},

@@ -8,24 +8,20 @@
 namespace kaori::monitor {
 namespace {
 
-// Number and name beside each other, notes below them.
+// Number and name beside each other, notes below them. A name that is too long for one large line has two
+// smaller ones.
 Cell CueCell(const CueWords& cue, const Pen& pen, const Box& box, int number_px, int name_px) {
   Cell cell{box, kPanel, {}};
   Box rest = Inset(box, pen.unit / 2);
-  const bool has_notes = !cue.notes.empty() && rest.height > number_px * 12 / 10 + pen.unit;
-  Box notes = CutBottom(rest, has_notes ? rest.height - number_px * 13 / 10 : 0);
+  Box head = CutTop(rest, number_px * 13 / 10);
   if (!cue.number.empty()) {
-    Box number = CutLeft(rest, pen.WidthOf(cue.number, number_px) + pen.unit / 2);
-    number.height = std::min(number.height, number_px * 13 / 10);
+    const Box number = CutLeft(head, pen.WidthOf(cue.number, number_px) + pen.unit / 2);
     cell.pieces.push_back({number, kAmber, cue.number, number_px});
   }
-  // A name that is too long for one large line has two smaller ones.
-  const bool is_long = pen.WidthOf(cue.name, name_px) > rest.width;
-  Box name = rest;
-  name.height = std::min(name.height, number_px * 13 / 10);
-  if (is_long) AddLines(cue.name, pen, name, name_px * 7 / 10, kText, cell);
-  if (!is_long) cell.pieces.push_back({name, kText, cue.name, name_px});
-  if (has_notes) AddLines(cue.notes, pen, notes, pen.normal(), kQuiet, cell);
+  const bool is_long = pen.WidthOf(cue.name, name_px) > head.width;
+  AddLines({cue.name, is_long ? std::min(name_px * 3 / 4, head.height * 10 / 26) : name_px, kText, true}, pen,
+           head, cell);
+  if (!cue.notes.empty() && rest.height >= pen.unit) AddLines({cue.notes, pen.normal(), kSoft}, pen, rest, cell);
   return cell;
 }
 
@@ -33,9 +29,13 @@ Cell CueCell(const CueWords& cue, const Pen& pen, const Box& box, int number_px,
 
 void AddCues(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells) {
   const int u = pen.unit, label = u * 8 / 5;
-  Box active = CutBottom(box, box.height * 2 / 5);
+  Box active = CutBottom(box, box.height * 38 / 100);
   CutBottom(box, u / 2);
-  cells.push_back(LabelCell("STAND BY", view.go, pen, CutTop(box, label)));
+  Cell head = LabelCell("STAND BY", {}, pen, CutTop(box, u * 2));
+  Box line = head.box;
+  CutRight(line, u / 2);
+  AddBadge(view.go, pen, line, head);
+  cells.push_back(std::move(head));
   const bool none = view.standby.number.empty() && view.standby.name.empty();
   const CueWords nothing{{}, view.go.words == "no cue list" ? "This show has no cues" : "The list is over", {}};
   cells.push_back(CueCell(none ? nothing : view.standby, pen, box, pen.huge(), u * 9 / 5));
@@ -70,7 +70,7 @@ Box AddLips(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells)
 }
 
 void AddPlaying(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells) {
-  const int u = pen.unit, pitch = u * 7 / 4;
+  const int u = pen.unit, pitch = u * 7 / 4, label = u * 6;
   cells.push_back(LabelCell("ON STAGE", {}, pen, CutTop(box, u * 8 / 5)));
   for (std::size_t i = 0; box.height >= pitch; ++i) {
     Cell cell{CutTop(box, pitch), kPanel, {}};
@@ -80,9 +80,9 @@ void AddPlaying(const View& view, const Pen& pen, Box box, std::vector<Cell>& ce
     if (i < view.playing.size()) {
       const Playing& playing = view.playing[i];
       Box under = CutBottom(row, std::max(1, u / 5));
-      cell.pieces.push_back({CutLeft(row, u * 11 / 2), kQuiet, playing.what, pen.normal()});
+      cell.pieces.push_back({CutLeft(row, label), kQuiet, playing.what, pen.normal()});
       cell.pieces.push_back({row, playing.colour, playing.words, u * 6 / 5});
-      CutLeft(under, u * 11 / 2);
+      CutLeft(under, label);
       if (playing.share < 1) {
         cell.pieces.push_back({under, kGroove});
         under.width = static_cast<int>(playing.share * static_cast<float>(under.width));
