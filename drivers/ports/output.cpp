@@ -23,6 +23,8 @@ const char* Text(OutputState state) {
       return ", pulled";
     case OutputState::kShowsStatus:
       return ", shows the status";
+    case OutputState::kShowsMonitor:
+      return ", shows the operators' monitor";
     case OutputState::kShowsPicture:
       break;
   }

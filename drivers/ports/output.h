@@ -19,6 +19,7 @@ enum class OutputState : std::uint8_t {
   kShowsPicture,  // A part of the show's picture is on it.
   kUnplugged,     // Its part of the picture is kept for it; nothing is on it now.
   kShowsStatus,   // It is the status display, and no part of the show.
+  kShowsMonitor,  // It is the operators' monitor, and no part of the show either.
 };
 
 // Says of one connector what the status display, the desk and the log tell

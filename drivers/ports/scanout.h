@@ -10,7 +10,7 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/ports/output.h"
-#include "drivers/ports/status_display.h"
+#include "drivers/ports/side_display.h"
 
 struct gbm_surface;  // Of libgbm; only its address passes through this port.
 
@@ -81,10 +81,12 @@ class Scanout {
   //   no_such_device                  as Acquire
   virtual Result<Flip> ReadFlip() = 0;
 
-  // The status display beside this screen, or null. It belongs to the screen and ends with it.
-  virtual StatusDisplay* status_display() { return nullptr; }
+  // The displays beside this screen, for technicians and for operators; each may be null. They belong to the
+  // screen and end with it.
+  virtual SideDisplay* status_display() { return nullptr; }
+  virtual SideDisplay* monitor_display() { return nullptr; }
 
-  // What the card drives, in the order of the picture's parts from the left top; the status display is last.
+  // What the card drives, in the order of the picture's parts from the left top; displays beside it are last.
   // Empty while the screen has not answered or is gone.
   virtual std::vector<Output> outputs() const { return {}; }
 };

@@ -132,8 +132,8 @@ Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsPreferences& pref
   return outputs;
 }
 
-std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name,
-                                             std::vector<KmsOutput>& outputs) {
+std::optional<KmsOutput> ExtractSideOutput(KmsDevice& card, const std::string& name,
+                                           std::vector<KmsOutput>& outputs) {
   if (name.empty() || outputs.size() < 2) return std::nullopt;
   const auto connectors = card.Connectors();
   // People count connectors from 1.
@@ -144,9 +144,9 @@ std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string&
     return output.name == name || std::to_string(number_of(output)) == name;
   });
   if (found == outputs.end()) return std::nullopt;
-  KmsOutput status = std::move(*found);
+  KmsOutput side = std::move(*found);
   outputs.erase(found);
-  return status;
+  return side;
 }
 
 // Nothing: all that could be tried was refused by the card. Whatever is shown in place of a mode that was

@@ -30,11 +30,11 @@ struct KmsOutput {
 //   not_supported   the card can show on none of them
 Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsPreferences& preferences);
 
-// Removes the status display from the outputs. `name` is the connector's, or its number on the card from
-// 1. None where `name` is empty or not among the outputs, or where it is the only screen, which is the
-// show's: people who pull a cable keep the face.
-std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name,
-                                             std::vector<KmsOutput>& outputs);
+// Removes a display that is no part of the picture from the outputs. `name` is the connector's, or its number
+// on the card from 1. None where `name` is empty or not among the outputs, or where it is the only screen,
+// which is the show's: people who pull a cable keep the face.
+std::optional<KmsOutput> ExtractSideOutput(KmsDevice& card, const std::string& name,
+                                           std::vector<KmsOutput>& outputs);
 
 // For each CRTC, in the card's order, a primary plane of its own; 0 where there is none. The first plane
 // that fits is used, as most cards have one fixed plane for each CRTC.

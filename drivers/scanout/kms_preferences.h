@@ -27,6 +27,8 @@ struct KmsPreferences {
   // The connector of the status display, by its name ("HDMI-A-2") or by its number on the card, from 1.
   // Counts only where another screen shows the picture. Empty: there is no status display.
   std::string status_connector{};
+  // That of the operators' monitor, in the same way. Where both name one screen it is the monitor.
+  std::string monitor_connector{};
 
   // Modes that are not tried again while the screen is plugged in. Where nothing is left to show on, all of
   // them are forgotten a while after `refused_at`.

@@ -45,9 +45,11 @@ Result<std::unique_ptr<KmsScreen>> KmsScreen::Open(KmsDevice& card, const MakeSu
     if (clock.now() - preferences.refused_at > kGivenUp) preferences.refused.clear();
     return tl::unexpected(outputs.error());
   }
-  auto status = ExtractStatusOutput(card, preferences.status_connector, *outputs);
+  auto monitor = ExtractSideOutput(card, preferences.monitor_connector, *outputs);
+  auto status = ExtractSideOutput(card, preferences.status_connector, *outputs);
   KmsWall wall = Arrange(std::move(*outputs));
   wall.status = std::move(status);
+  wall.monitor = std::move(monitor);
   auto surface = make(wall.width_px, wall.height_px);
   if (!surface) {
     Refuse(Largest(wall), clock.now(), preferences);
@@ -72,8 +74,9 @@ KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsSurface> 
   // AddOutputSettings adds 13.
   constexpr std::size_t kMostSettings = 13;  // Of one screen.
   settings_.reserve(panels_.size() * kMostSettings);
-  // Where there is no memory for a status display, the show goes on without.
-  if (wall_.status) status_display_ = KmsStatusDisplay::Open(card_, *wall_.status).value_or(nullptr);
+  // Where there is no memory for a display beside it, the show goes on without.
+  if (wall_.status) status_display_ = KmsSideDisplay::Open(card_, *wall_.status).value_or(nullptr);
+  if (wall_.monitor) monitor_display_ = KmsSideDisplay::Open(card_, *wall_.monitor).value_or(nullptr);
 }
 
 // The card itself keeps a mode for as long as it shows it.
@@ -229,9 +232,10 @@ Result<void> KmsScreen::AddPanel(Panel& panel, std::uint32_t framebuffer) {
 
 // Turns off what an earlier program showed on connectors that are not ours: its CRTC may be needed.
 void KmsScreen::AddOthersOff() {
-  // Whether an output of ours, or the status display, has this object.
+  // Whether an output of ours, or a display beside them, has this object.
   const auto is_ours = [this](std::uint32_t KmsOutput::*part, std::uint32_t id) {
-    return (status_display_ && status_display_->output().*part == id) ||
+    const auto has = [&](const auto& display) { return display && display->output().*part == id; };
+    return has(status_display_) || has(monitor_display_) ||
            std::ranges::any_of(panels_, [&](const Panel& p) { return p.at.output.*part == id; });
   };
   for (const std::uint32_t connector : card_.Connectors())
@@ -280,8 +284,12 @@ bool KmsScreen::FlipIsPending() const {
 
 // Only after the first flip of ours: removing the framebuffer that is shown blanks the screen.
 void KmsScreen::RemoveOldFramebuffers() {
+  const auto is_needed = [](const auto& display, std::uint32_t framebuffer) {
+    return display && display->Needs(framebuffer);
+  };
   for (const std::uint32_t framebuffer : card_.Framebuffers())
-    if (!surface_->Owns(framebuffer) && !(status_display_ && status_display_->Needs(framebuffer)))
+    if (!surface_->Owns(framebuffer) && !is_needed(status_display_, framebuffer) &&
+        !is_needed(monitor_display_, framebuffer))
       card_.RemoveFramebuffer(framebuffer);
 }
 
@@ -294,6 +302,8 @@ std::vector<ports::Output> KmsScreen::outputs() const {
   }
   if (status_display_)
     outputs.push_back(PortOutput(status_display_->output(), ports::OutputState::kShowsStatus));
+  if (monitor_display_)
+    outputs.push_back(PortOutput(monitor_display_->output(), ports::OutputState::kShowsMonitor));
   return outputs;
 }
 

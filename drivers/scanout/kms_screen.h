@@ -9,7 +9,7 @@
 #include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
 #include "drivers/scanout/kms_device.h"
-#include "drivers/scanout/kms_status_display.h"
+#include "drivers/scanout/kms_side_display.h"
 #include "drivers/scanout/kms_wall.h"
 
 namespace kaori::scanout {
@@ -46,7 +46,8 @@ class KmsScreen final : public ports::Scanout {
   Result<void> Present(std::uint64_t frame) override;
   // A frame counts as presented once every screen shows it; the time is that of the first screen.
   Result<ports::Flip> ReadFlip() override;
-  ports::StatusDisplay* status_display() override { return status_display_.get(); }
+  ports::SideDisplay* status_display() override { return status_display_.get(); }
+  ports::SideDisplay* monitor_display() override { return monitor_display_.get(); }
   std::vector<ports::Output> outputs() const override;
 
  private:
@@ -99,7 +100,7 @@ class KmsScreen final : public ports::Scanout {
   std::unique_ptr<KmsSurface> surface_;
   const Clock& clock_;
   KmsPreferences& preferences_;
-  std::unique_ptr<KmsStatusDisplay> status_display_;
+  std::unique_ptr<KmsSideDisplay> status_display_, monitor_display_;
   std::vector<Panel> panels_;
   // Connectors with a screen that the card cannot drive beside the others. They
   // are no news until they are pulled.

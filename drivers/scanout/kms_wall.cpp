@@ -30,7 +30,7 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
   const auto sum = [](const std::vector<int>& lengths_px, std::size_t count) {
     return std::accumulate(lengths_px.begin(), lengths_px.begin() + std::ptrdiff_t(count), 0);
   };
-  KmsWall wall{{}, sum(widths_px, widths_px.size()), sum(heights_px, heights_px.size()), {}};
+  KmsWall wall{{}, sum(widths_px, widths_px.size()), sum(heights_px, heights_px.size())};
   for (std::size_t i = 0; i < outputs.size(); ++i)
     wall.panels.push_back({std::move(outputs[i]), sum(widths_px, i % columns), sum(heights_px, i / columns)});
   return wall;
@@ -42,6 +42,8 @@ std::string Describe(const KmsWall& wall) {
     text += (text.empty() ? "" : "; ") +
             ports::Describe(PortOutput(panel.output, ports::OutputState::kShowsPicture));
   if (wall.status) text += "; " + ports::Describe(PortOutput(*wall.status, ports::OutputState::kShowsStatus));
+  if (wall.monitor)
+    text += "; " + ports::Describe(PortOutput(*wall.monitor, ports::OutputState::kShowsMonitor));
   return text;
 }
 

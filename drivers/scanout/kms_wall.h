@@ -16,14 +16,14 @@ struct KmsPanel {
   int y_px = 0;
 };
 
-// The screens of the show as one picture, and the one that is not part of it.
+// The screens of the show as one picture, and those that are not part of it.
 struct KmsWall {
   // In the order of the picture's parts, from the left top.
   std::vector<KmsPanel> panels;
   // Of the whole picture, cells without a screen included.
   int width_px = 0;
   int height_px = 0;
-  std::optional<KmsOutput> status;  // The status display: shows no part of the picture.
+  std::optional<KmsOutput> status{}, monitor{};  // The displays beside it, where there are any.
 };
 
 // Arranges the screens row by row from the left top, in the order given: one beside the other, or in a
@@ -32,7 +32,7 @@ struct KmsWall {
 // its cell stands at the cell's left top, and what lies beside it is drawn for nobody. Pure.
 KmsWall Arrange(std::vector<KmsOutput> outputs);
 
-// Its screens for people, separated by semicolons, the status display last. All count as plugged in.
+// Its screens for people, separated by semicolons, the displays beside it last. All count as plugged in.
 std::string Describe(const KmsWall& wall);
 
 }  // namespace kaori::scanout

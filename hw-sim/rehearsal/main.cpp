@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "hw-sim/rehearsal/log_player.h"
+#include "hw-sim/rehearsal/monitor_pictures.h"
 #include "hw-sim/rehearsal/outputs.h"
 #include "hw-sim/rehearsal/rehearsal.h"
 #include "hw-sim/scenario/player.h"
@@ -38,6 +40,8 @@ constexpr std::string_view kHelp =
   --write-log FOLDER keeps a show log of the scenario there
   --film FILE        write a film (.mp4) by ffmpeg, with the sound of the loudspeaker
   --pictures FOLDER  write a PNG once a second
+  --monitor FOLDER   write a PNG of the operators' monitor once a second, of a scenario
+  --monitor-size 1280x720
   --size 960x540     of the picture
   --hz 30            pictures a second
 )";
@@ -45,7 +49,7 @@ constexpr std::string_view kHelp =
 // What was asked for on the command line.
 struct Settings {
   std::string pack, play, log, at, length_s = "0", own, write_log, film, pictures, size = "960x540",
-                                   hz = "30";
+                                   hz = "30", monitor, monitor_size = "1280x720";
 };
 
 // One line that is written over again and again, for people who wait at a terminal.
@@ -56,9 +60,9 @@ void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
              100 * position_s / length_s, pictures_per_s, player.beat());
 }
 
-// Plays the scenario to its end, picture by picture; a film is whole afterwards.
+// Plays the scenario to its end, picture by picture; a film is whole afterwards. `monitor` may be null.
 Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario scenario,
-                         kaori::sim::Outputs& outputs) {
+                         kaori::sim::Outputs& outputs, kaori::sim::MonitorPictures* monitor) {
   const kaori::SteadyClock wall;
   // The speed is told in real time; everything else runs on the simulated clock.
   const auto begun = wall.now();
@@ -68,6 +72,7 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario 
     const auto shown = rehearsal.NextPicture([&](kaori::Time now) { player.Perform(now); });
     auto written = shown ? outputs.Write(*shown, rehearsal.rig().loudspeaker().DrainHeard())
                          : tl::unexpected(shown.error());
+    if (written && monitor != nullptr) written = monitor->Write();
     if (!written) {
       fmt::print(stderr, "\n");  // The progress stays on a line of its own.
       return written;
@@ -80,7 +85,8 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario 
 }
 
 // Loads the show and the scenario, and plays one with the other. The exit status.
-int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::string& folder) {
+int Rehearse(const Settings& settings, kaori::Size size, kaori::Size monitor_size, int hz,
+             const std::string& folder) {
   auto scenario = kaori::sim::LoadScenario(settings.play);
   if (!scenario) return kaori::ExitWithError(scenario.error());
   auto show = kaori::show::LoadPack(settings.pack);
@@ -108,8 +114,16 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   }
   auto outputs = kaori::sim::Outputs::Open({settings.film, settings.pictures, size, hz, folder});
   if (!outputs) return kaori::ExitWithError(outputs.error());
-  if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs); !ok)
+  std::optional<kaori::sim::MonitorPictures> monitor;
+  if (!settings.monitor.empty()) {
+    auto opened = kaori::sim::MonitorPictures::Open(settings.monitor, monitor_size, hz);
+    if (!opened) return kaori::ExitWithError(opened.error());
+    monitor.emplace(std::move(*opened));
+    (*rehearsal)->ShowMonitor(&monitor->display(), kaori::sim::EveningBegins());
+  }
+  if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs, monitor ? &*monitor : nullptr); !ok)
     return kaori::ExitWithError(ok.error());
+  (*rehearsal)->ShowMonitor(nullptr, 0);
   if (!settings.film.empty()) fmt::print("{}\n", settings.film);
   (*rehearsal)->SetLog(nullptr);
   if (log) log->Finish();
@@ -155,6 +169,7 @@ int main(int argc, char** argv) {
       .Text("--write-log", settings.write_log)
       .Text("--film", settings.film);
   options.Text("--pictures", settings.pictures).Text("--size", settings.size).Text("--hz", settings.hz);
+  options.Text("--monitor", settings.monitor).Text("--monitor-size", settings.monitor_size);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.play.empty() == settings.log.empty()) {
     kaori::LogError("what is to be played? Give one of --play and --log");
@@ -162,6 +177,11 @@ int main(int argc, char** argv) {
   }
   const auto size = kaori::ParseSize(settings.size);
   const int hz = kaori::ParseNumber<int>(settings.hz).value_or(0);
+  const auto monitor_size = kaori::ParseSize(settings.monitor_size);
+  if (!monitor_size) {
+    kaori::LogError("--monitor-size is two numbers such as 1280x720");
+    return 2;
+  }
   if (!size || hz < 1 || hz > 240 || size->width_px % 2 != 0 || size->height_px % 2 != 0) {
     kaori::LogError("--size is two even numbers such as 960x540, --hz 1 to 240");
     return 2;
@@ -174,7 +194,8 @@ int main(int argc, char** argv) {
   // One folder for each process: two rehearsals may run at a time.
   const std::string folder = passing / fmt::format("kaori-rehearsal-{}", ::getpid());
   const int status =
-      settings.log.empty() ? Rehearse(settings, *size, hz, folder) : PlayAgain(settings, *size, hz, folder);
+      settings.log.empty() ? Rehearse(settings, *size, *monitor_size, hz, folder)
+                           : PlayAgain(settings, *size, hz, folder);
   std::error_code ignored;  // What is left behind in the folder for passing files harms nobody.
   std::filesystem::remove_all(folder, ignored);
   return status;

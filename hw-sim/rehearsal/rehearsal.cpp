@@ -98,6 +98,10 @@ Result<void> Rehearsal::StartLips() {
   if (!writer) return tl::unexpected(writer.error());
   lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); },
                                             board_, std::move(*writer), lips::LipSettings{}, clock_);
+  lip_picture_.emplace(board_.path());
+  lips_->Watch([this](const decode::Planes& planes, const lips::LipMeter& meter, Time at) {
+    lip_picture_->Offer(planes, meter.key(), at, clock_.now());
+  });
   return OpenVoice();
 }
 
@@ -115,6 +119,25 @@ Result<void> Rehearsal::StartStage() {
 void Rehearsal::SetLog(showlog::Recorder* log) {
   log_ = log;
   if (stage_) stage_->SetLog(log);
+}
+
+void Rehearsal::ShowMonitor(ports::SideDisplay* display, std::time_t began) {
+  monitor_display_ = display;
+  const auto time_of_day = [this, began, from = clock_.now()] {
+    return began + static_cast<std::time_t>((clock_.now() - from) / 1s);
+  };
+  const std::filesystem::path folder = options_.folder;
+  status_ = std::make_unique<stage::StageStatusDisplay>(
+      board_, clock_, status::Places{folder / "settings", folder / "screens"});
+  monitor_ = std::make_unique<stage::StageMonitor>(board_, clock_, studio_, *status_, time_of_day);
+}
+
+// A stage that has ended draws no monitor either.
+void Rehearsal::StepMonitor() {
+  if (!monitor_ || !stage_ || clock_.now() < monitor_step_) return;
+  monitor_step_ = clock_.now() + stage::StageMonitor::kPeriod;
+  status_->Step(stage_->screen());
+  monitor_->Step(monitor_display_, {stage_->state(), stage_->wakes_at()});
 }
 
 void Rehearsal::CallAfterFrames(stage::Stage::AfterFrame after) {
@@ -178,6 +201,7 @@ void Rehearsal::Step(const Input& input) {
   if (lips_) lips_->Step();
   if (voice_) voice_->Step();
   if (stage_) StepStage();
+  StepMonitor();
 }
 
 // None is expected while nobody has plugged one in.

@@ -4,15 +4,20 @@
 
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "appliance/core/board/board.h"
 #include "appliance/programs/input/input_service.h"
 #include "appliance/programs/lips/lip_reader.h"
 #include "appliance/programs/lips/voice/voice_service.h"
+#include "appliance/programs/lips/service/monitor_picture.h"
 #include "appliance/programs/stage/stage.h"
+#include "appliance/programs/stage/stage_monitor.h"
+#include "appliance/programs/stage/stage_status_display.h"
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/clock.h"
 #include "drivers/hid/local_bus.h"
@@ -76,6 +81,10 @@ class Rehearsal {
   // be called before the first picture.
   void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->SetEditor(std::move(editor)); }
 
+  // Draws the operators' monitor on this display from now on, which outlives the rehearsal; null: no longer.
+  // Its time of day begins at `began`, in seconds of the system's clock, and goes with the simulated one.
+  void ShowMonitor(ports::SideDisplay* display, std::time_t began);
+
   // Notes each frame from the next one on, over restarts of the stage; the recorder outlives the rehearsal,
   // or null is set before.
   void SetLog(showlog::Recorder* log);
@@ -109,6 +118,8 @@ class Rehearsal {
   void LookForScreen();
   // As board::Watch.
   void WatchBoard();
+  // The displays beside the stage, as its main steps them.
+  void StepMonitor();
 
   RehearsalOptions options_;
   stage::Studio& studio_;
@@ -123,6 +134,12 @@ class Rehearsal {
   std::unique_ptr<stage::Stage> stage_;
   // The folder of the local link.
   std::string links_;
+  // Since ShowMonitor.
+  ports::SideDisplay* monitor_display_ = nullptr;
+  std::unique_ptr<stage::StageStatusDisplay> status_;
+  std::unique_ptr<stage::StageMonitor> monitor_;
+  Time monitor_step_{};
+  std::optional<lips::MonitorPicture> lip_picture_;
   showlog::Recorder* log_ = nullptr;
   stage::Stage::AfterFrame after_frame_;
   // When each is due again.

@@ -18,6 +18,8 @@ namespace kaori::scene {
 // textured without hair, textured with hair, and textured with soft light.
 enum class Style : std::uint8_t { kWire, kFlat, kBare, kHair, kSoft };
 inline constexpr int kStyleCount = 5;
+// In the order of Style: the words of show.toml.
+inline constexpr std::array<const char*, kStyleCount> kStyleNames{"wire", "flat", "bare", "hair", "soft"};
 
 // The pose of the head: a turn about the neck (face::Cast::neck_pivot), roll first, then pitch, then yaw;
 // then a shift.

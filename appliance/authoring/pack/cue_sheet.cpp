@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "appliance/authoring/script/item_names.h"
 #include "drivers/base/markup.h"
+#include "render/scene/scene.h"
 
 namespace kaori::authoring {
 namespace {
@@ -201,7 +201,7 @@ class CueSheetWriter {
     call(words_.scene, cue.scene, [&](auto i) { return show_.scenes[i].name; });
     call(words_.face, cue.face, [&](auto i) { return show_.cast.faces[i].name; });
     call(words_.expression, cue.expression, [&](auto i) { return show_.cast.expressions[i].name; });
-    call(words_.style, cue.style, [](auto i) { return kStyleNames[i]; });
+    call(words_.style, cue.style, [](auto i) { return scene::kStyleNames[i]; });
     if (cue.light) lines.push_back(In(Say(words_.light, Number(cue.light->value * 100)), cue.light->in_s));
     if (cue.present)
       lines.push_back(In(cue.present->value > 0 ? words_.present : words_.absent, cue.present->in_s));

@@ -6,9 +6,9 @@
 
 #include "appliance/authoring/pack/difference_parts.h"
 #include "appliance/authoring/script/backdrop_file.h"
-#include "appliance/authoring/script/item_names.h"
 #include "appliance/core/roles/roles_file.h"
 #include "appliance/core/show/cue_names.h"
+#include "render/scene/scene.h"
 
 namespace kaori::authoring {
 namespace {
@@ -20,7 +20,7 @@ std::string NameOf(const Items& items, std::size_t index) {
 }
 
 std::string StyleName(std::size_t style) {
-  return style < kStyleNames.size() ? kStyleNames[style] : "nothing";
+  return style < scene::kStyleNames.size() ? scene::kStyleNames[style] : "nothing";
 }
 
 // "face dog": what a button or key calls, in the same words as in show.toml. Names are compared, not numbers:

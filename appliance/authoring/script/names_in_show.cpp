@@ -4,11 +4,11 @@
 
 #include <fmt/ranges.h>
 
-#include "appliance/authoring/script/item_names.h"
 #include "appliance/authoring/script/key_names.h"
 #include "appliance/authoring/script/show_parts.h"
 #include "appliance/authoring/script/taken_keys.h"
 #include "appliance/core/show/cue_names.h"
+#include "render/scene/scene.h"
 
 namespace kaori::authoring {
 // Where the cast's names are not known any name will do: what keeps them from being known is
@@ -25,8 +25,8 @@ std::uint16_t ExpressionNamed(Script& script, toml::Section& section, std::strin
 }
 
 std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std::string& name) {
-  const auto it = std::ranges::find(kStyleNames, name);
-  if (it != kStyleNames.end()) return static_cast<std::uint16_t>(it - kStyleNames.begin());
+  const auto it = std::ranges::find(scene::kStyleNames, name);
+  if (it != scene::kStyleNames.end()) return static_cast<std::uint16_t>(it - scene::kStyleNames.begin());
   section.Fault(key, fmt::format("there is no style \"{}\"; styles are wire, flat, bare, hair, soft", name));
   return 0;
 }

@@ -1,11 +1,11 @@
 #include "appliance/authoring/sheet/plan.h"
+#include "render/scene/scene.h"
 
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
-#include "appliance/authoring/script/item_names.h"
 
 namespace kaori::authoring {
 namespace {
@@ -111,10 +111,10 @@ class Planner {
   // Each style alone and whole. The head is turned a little: straight ahead, depth cannot be judged.
   Sheet Styles() const {
     Section grid{.in_a_row = scene::kStyleCount, .rows = FaceNames(cast_)};
-    for (const char* style : kStyleNames) grid.columns.emplace_back(style);
+    for (const char* style : scene::kStyleNames) grid.columns.emplace_back(style);
     for (std::uint16_t f = 0; f < cast_.faces.size(); ++f)
-      for (std::size_t style = 0; style < kStyleNames.size(); ++style) {
-        grid.cells.push_back(Plain(f, kStyleNames[style]));
+      for (std::size_t style = 0; style < scene::kStyleNames.size(); ++style) {
+        grid.cells.push_back(Plain(f, scene::kStyleNames[style]));
         grid.cells.back().scene.styles = {};
         grid.cells.back().scene.styles[style] = 1;
         grid.cells.back().scene.head.yaw_rad = 0.35F;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "drivers/base/clock.h"
+
 namespace kaori::board {
 
 // Bits of ShowNow::cue_state.
@@ -42,6 +44,9 @@ struct LevelShown {
 struct ShowNow {
   static constexpr const char* kName = "show_now";
   static constexpr std::size_t kMostLevels = 32, kMostRoles = 8;
+  // When the act of the active cue began, or the list where it has no acts; Time{}: it has not, or nobody
+  // knows.
+  Time act_began{};
   // The cue list. Cues count as the show does, from 0.
   std::int32_t cue_active = -1;  // Played last; -1: none was.
   std::int32_t cue_standby = 0;  // What GO plays next; as many as there are cues: the list is over.

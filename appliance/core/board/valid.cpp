@@ -127,7 +127,7 @@ bool Valid(const StageStatus& status) {
 
 // Roles are indices into role_devices. Cues and devices are for who knows the show.
 bool Valid(const ShowNow& show) {
-  return Within(show.cue_left_s, 0, kMaxFigure) && show.locked <= 1 &&
+  return Valid(show.act_began) && Within(show.cue_left_s, 0, kMaxFigure) && show.locked <= 1 &&
          static_cast<std::uint32_t>(show.lobby) < kLobbyStateCount &&
          static_cast<std::uint32_t>(show.lobby_hours) < kLobbyHoursCount &&
          std::ranges::all_of(show.levels, [](const LevelShown& level) {

@@ -199,8 +199,8 @@ void WriteSetting(const std::string& name, std::string_view text) {
 }
 
 // Leaves in a folder that is there before everything else: for udev's rules a file that is named after the
-// profile, for kaori-input which lines are what, for kaori-stage its time zone and which screen is the
-// operators', and what its status says. Returns the name that the settings give the box, or nothing.
+// profile, for kaori-input which lines are what, for kaori-stage its time zone and which screens are
+// the technicians' and the operators', and what the status says. Returns the name that the settings give the box, or nothing.
 std::string ApplySettings() {
   auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Report(profile.fault);
@@ -212,6 +212,7 @@ std::string ApplySettings() {
   WriteSetting("dials", DialsEnvironmentOf(profile));
   WriteSetting("clock", ClockEnvironmentOf(profile));
   WriteSetting("status_screen", profile.status_screen);
+  WriteSetting("monitor_screen", profile.monitor_screen);
   const std::string command_line = kaori::ReadFile("/proc/cmdline").value_or("");
   WriteSetting("root_hash", kaori::boot::RootHashOf(command_line));
   WriteSetting("slot", kaori::boot::SlotOf(command_line));

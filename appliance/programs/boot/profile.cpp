@@ -161,6 +161,7 @@ class Reading {
     if (key == "profile") return ParseProfileName(value, profile_.name);
     if (key == "name") return ParseBoxName(value, profile_.box_name);
     if (key == "status_screen") return ParseScreen(value, profile_.status_screen);
+    if (key == "monitor_screen") return ParseScreen(value, profile_.monitor_screen);
     if (key == "dial_box") return ParseDialBox(value, profile_.dial_box);
     if (key == "dial_box_counts") return ParseDialBoxCounts(value, profile_.dial_box_counts);
     return "there is no setting " + std::string(key);

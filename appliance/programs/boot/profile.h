@@ -17,6 +17,7 @@ namespace kaori::boot {
 //   name = "left-lobby" what this box is called, where there are several: 1 to 32 letters, digits and "-"
 //   status_screen = "HDMI-A-2", or = 2   the screen that says how the box does, by its name or its number;
 //                       where it is the only one it is the show's
+//   monitor_screen = "HDMI-A-3", or = 3  the operators' monitor, named in the same way
 //   dial_box = "/dev/serial/by-path/...=sgi"   a dial box of 1993 on a serial line, and which of the kinds sgi,
 //                       spectragraphics and dls80 it is
 //   dial_box_counts = 200   counts of one turn of its dials, 1 to 2^20
@@ -29,7 +30,7 @@ struct Profile {
   std::string box_name{};  // Empty: none was given.
   // As the section [lines] says, over the box's default.
   Wiring wiring{};
-  std::string status_screen{};  // Empty: none.
+  std::string status_screen{}, monitor_screen{};  // Empty: none.
   std::string dial_box{};       // A line and its kind of box; empty: none.
   int dial_box_counts = 0;      // Of one turn; 0: as kaori-input has it.
   std::string zone{};           // Empty: UTC.

@@ -8,6 +8,7 @@
 
 #include "appliance/core/board/keys.h"
 #include "appliance/core/board/lines.h"
+#include "appliance/core/roles/own_buttons.h"
 #include "appliance/core/show/cue_names.h"
 #include "appliance/programs/stage/withheld.h"
 #include "drivers/base/log.h"

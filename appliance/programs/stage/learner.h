@@ -14,6 +14,7 @@
 #include "appliance/core/linecheck/control_finder.h"
 #include "appliance/core/performance/input_events.h"
 #include "appliance/core/roles/taught.h"
+#include "appliance/core/show/show.h"
 #include "appliance/programs/stage/taught_writer.h"
 
 namespace kaori::stage {

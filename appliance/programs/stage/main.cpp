@@ -23,6 +23,7 @@
 #include "appliance/programs/stage/screen_session.h"
 #include "appliance/programs/stage/show_log.h"
 #include "appliance/programs/stage/stage.h"
+#include "appliance/programs/stage/stage_monitor.h"
 #include "appliance/programs/stage/stage_options.h"
 #include "appliance/programs/stage/stage_status_display.h"
 #include "appliance/programs/stage/still.h"
@@ -54,10 +55,11 @@ kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& s
     kaori::LogWarning("there is no graphics card ({}): playing on unseen", card.error().message());
     return nullptr;
   }
-  if (card)
-    (*card)->SetPreferences(
-        {.mode = kaori::scanout::ParseMode(settings.mode),
-         .status_connector = kaori::status::ReadFacts({.settings = settings.settings}).screen});
+  if (!card) return card;
+  auto facts = kaori::status::ReadFacts({.settings = settings.settings});
+  (*card)->SetPreferences({.mode = kaori::scanout::ParseMode(settings.mode),
+                           .status_connector = std::move(facts.screen),
+                           .monitor_connector = std::move(facts.monitor)});
   return card;
 }
 
@@ -193,11 +195,23 @@ kaori::Result<void> BecomeReady(kaori::scanout::KmsCard* card, const kaori::stag
   return kaori::service::FeedWatchdog(loop, [&stage] { return stage.usual_turn(); });
 }
 
-// Plays until somebody ends the loop, or another show is chosen; says the status meanwhile. Errors: those of
-// the loop.
-kaori::Result<void> PlayOn(kaori::stage::Stage& stage, kaori::board::Board& board,
-                           kaori::stage::StageStatusDisplay status, kaori::stage::ShowWatch watch,
-                           const kaori::Clock& clock, kaori::EventLoop& loop) {
+// The displays beside the show, for technicians and for operators.
+struct Beside {
+  kaori::stage::StageStatusDisplay& status;
+  kaori::stage::StageMonitor& monitor;
+};
+
+// Plays until somebody ends the loop, or another show is chosen; says the status and draws the operators'
+// monitor meanwhile. Errors: those of the loop.
+kaori::Result<void> PlayOn(kaori::stage::Stage& stage, kaori::board::Board& board, const Beside& beside,
+                           kaori::stage::ShowWatch watch, const kaori::Clock& clock, kaori::EventLoop& loop) {
+  auto& [status, monitor] = beside;
+  const auto draw_monitor = [&] {
+    auto* const screen = stage.screen();
+    const bool has = screen != nullptr && !status.on_monitor();
+    monitor.Step(has ? screen->monitor_display() : nullptr, {stage.state(), stage.wakes_at()});
+  };
+  if (auto ok = loop.Every(kaori::stage::StageMonitor::kPeriod, draw_monitor); !ok) return ok;
   const auto tell = [&] {
     status.Step(stage.screen());
     stage.SetNotice(status.notice());
@@ -260,8 +274,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (auto ok = BecomeReady(card.get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
   const kaori::status::Places said{settings.settings,
                                    std::filesystem::path(settings.board).parent_path() / "screens"};
+  kaori::stage::StageStatusDisplay status(*board, clock, said);
+  kaori::stage::StageMonitor monitor(*board, clock, **studio, status, [] { return std::time(nullptr); });
   const auto played =
-      PlayOn(stage, *board, {*board, clock, said}, {*places, loaded.generation, clock.now()}, clock, loop);
+      PlayOn(stage, *board, {status, monitor}, {*places, loaded.generation, clock.now()}, clock, loop);
   if (const auto* roles = stage.taught()) stage.HandOver(*roles);
   if (last_face) last_face->KeepNow();
   if (log) log->Finish();

@@ -68,8 +68,9 @@ board::LobbyHours HoursOf(const performance::LobbyNow& now, const show::Show& sh
 }  // namespace
 
 // The mouth comes last, since lips and voice are written over what the levels of its two dials say.
-board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show) {
-  board::ShowNow now{.cue_active = state.cue_run.active,
+board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show, Time act_began) {
+  board::ShowNow now{.act_began = act_began,
+                     .cue_active = state.cue_run.active,
                      .cue_standby = state.cue_run.standby,
                      .cue_pending = state.cue_run.pending,
                      .cue_left_s = std::max(0.0F, state.cue_run.left_s),

@@ -7,7 +7,7 @@
 
 namespace kaori::stage {
 
-// Of a state that belongs to the show. Pure, and allocates nothing.
-board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show);
+// Of a state that belongs to the show; when its act began ActClock knows. Pure, and allocates nothing.
+board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show, Time act_began);
 
 }  // namespace kaori::stage

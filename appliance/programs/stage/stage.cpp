@@ -57,6 +57,7 @@ Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, co
   resumed_ = kept && performance::IsValid(*kept, studio.show());
   if (resumed_) performance::AdoptRoles(*kept, studio.show().roles);
   state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
+  act_clock_.emplace(board.Read<board::ShowNow>(), studio.show().cue_list, state_.cue_run.active);
   status_.frames = board.Read<board::StageStatus>().value.frames;
   motion_now_ = board.Read<board::MotionNow>().value;
   pacer_.Set(false);
@@ -233,7 +234,9 @@ scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   call_log_.Tell(state_, performed.state, studio_.show(), presented_at);
   state_ = performed.state;
   writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);
-  writers_.show_now.Write(ShowNowOf(state_, studio_.show()), presented_at, board::SourceState::kLive);
+  const Time act_began = act_clock_->Step(studio_.show().cue_list, state_.cue_run.active, presented_at);
+  writers_.show_now.Write(ShowNowOf(state_, studio_.show(), act_began), presented_at,
+                          board::SourceState::kLive);
   WriteMotionNow(presented_at);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
     writers_.lamps.Write({performed.lamps}, presented_at, board::SourceState::kLive);

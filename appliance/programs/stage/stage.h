@@ -18,6 +18,7 @@
 #include "appliance/core/showlog/minus_one.h"
 #include "appliance/core/showlog/recorder.h"
 #include "appliance/programs/editor/expression_editor.h"
+#include "appliance/programs/stage/act_clock.h"
 #include "appliance/programs/stage/call_log.h"
 #include "appliance/programs/stage/frame_pacer.h"
 #include "appliance/programs/stage/local_time.h"
@@ -158,6 +159,7 @@ class Stage {
   ServiceModes service_{writers_.line_check, writers_.learn};
   CallLog call_log_;
   LocalTime local_time_;
+  std::optional<ActClock> act_clock_;  // Since the constructor.
   showlog::Recorder* log_ = nullptr;
   std::unique_ptr<showlog::MinusOne> evening_;
   board::Snapshot laid_;  // The board of this frame, where an evening lies over it.

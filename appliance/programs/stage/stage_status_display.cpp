@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "appliance/core/board/lines.h"
 #include "appliance/programs/status/screens_file.h"
 #include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
@@ -33,15 +34,24 @@ StageStatusDisplay::StageStatusDisplay(const board::Board& board, const Clock& c
 // next step.
 void StageStatusDisplay::Step(ports::Scanout* screen) {
   LookAtScreens(screen);
-  ports::StatusDisplay* const display = screen == nullptr ? nullptr : screen->status_display();
+  ports::SideDisplay* const display = DisplayOf(screen);
   LookAtFacts();
   notice_ = display == nullptr ? facts_.shows : std::vector<std::string>();
+  if (display == nullptr) sheet_.reset();  // Somebody else may draw there before it is back.
   if (display == nullptr || clock_.now() < silent_until_) return;
   const auto shown = ShowNext(*display);
   owed_ = !shown && shown.error().cause == std::errc::device_or_resource_busy;
   if (shown || owed_) return;
   LogWarning("the status cannot be shown ({})", shown.error().message());
   silent_until_ = clock_.now() + kGivenUp;
+}
+
+ports::SideDisplay* StageStatusDisplay::DisplayOf(ports::Scanout* screen) {
+  on_monitor_ = false;
+  if (screen == nullptr) return nullptr;
+  if (auto* display = screen->status_display(); display != nullptr) return display;
+  on_monitor_ = screen->monitor_display() != nullptr && board::IsServiceKeyOn(board_.Read<board::Lines>());
+  return on_monitor_ ? screen->monitor_display() : nullptr;
 }
 
 // The facts hold the screens too, so that they are read anew when those change.
@@ -66,21 +76,22 @@ void StageStatusDisplay::LookAtFacts() {
   facts_read_ = now;
 }
 
-std::vector<status::Line> StageStatusDisplay::Lines() {
+std::vector<status::Line> StageStatusDisplay::Lines() const {
   return status::Describe(status::Look(board_, facts_, clock_.now()));
 }
 
 // A display that was plugged in, or changed its mode, is blank or of another size: everything is drawn anew.
-Result<void> StageStatusDisplay::ShowNext(ports::StatusDisplay& display) {
+Result<void> StageStatusDisplay::ShowNext(ports::SideDisplay& display) {
   const bool anew = display.fresh() || !sheet_;
   const auto rows = anew ? DrawAnew(display) : DrawChanged();
   if (!rows) return tl::unexpected(rows.error());
   if (rows->first == rows->end && !owed_) return {};
-  return display.Show(sheet_->picture().rgbx, rows->first, rows->end);
+  const ports::DisplayArea area{0, rows->first, display.width_px(), rows->end};
+  return display.Show(sheet_->picture().rgbx, {&area, 1});
 }
 
 // Its lines come one after the other.
-Result<status::Sheet::Rows> StageStatusDisplay::DrawAnew(const ports::StatusDisplay& display) {
+Result<status::Sheet::Rows> StageStatusDisplay::DrawAnew(const ports::SideDisplay& display) {
   auto lettering = image::Lettering::Open();
   if (!lettering) return tl::unexpected(lettering.error());
   sheet_.emplace(std::move(*lettering), display.width_px(), display.height_px());

@@ -24,28 +24,34 @@ class StageStatusDisplay {
 
   // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines
   // that changed, for a small part of a frame's usual time, and one at least: so no frame is late for it. A
-  // display that fails is logged once and left alone for a minute.
+  // display that fails is logged once and left alone for a minute. A box that has the operators' monitor and
+  // no status display shows the status there while its service key is on.
   void Step(ports::Scanout* screen);
 
+  // Whether it has the operators' monitor since the last Step.
+  bool on_monitor() const { return on_monitor_; }
+
   static constexpr Duration kPeriod = std::chrono::milliseconds(100);
+
+  // The status as it is now.
+  std::vector<status::Line> Lines() const;
 
   // What the show's own screen says to whoever services the box, where there is no other one: the stick's
   // shows. Of the last time that files were looked at, by Step.
   const std::vector<std::string>& notice() const { return notice_; }
 
  private:
+  // Where the status is shown now; null: nowhere.
+  ports::SideDisplay* DisplayOf(ports::Scanout* screen);
   // Writes the file of screens where they changed.
   void LookAtScreens(ports::Scanout* screen);
   // Draws and shows some rows. Errors: device_or_resource_busy (later), and those of the display.
-  Result<void> ShowNext(ports::StatusDisplay& display);
+  Result<void> ShowNext(ports::SideDisplay& display);
   // A blank sheet of the display's size; all of its rows are to be shown. Errors: not_enough_memory.
-  Result<status::Sheet::Rows> DrawAnew(const ports::StatusDisplay& display);
+  Result<status::Sheet::Rows> DrawAnew(const ports::SideDisplay& display);
   status::Sheet::Rows DrawChanged();
   // Reads the facts' files anew, once a second.
   void LookAtFacts();
-  // The status as it is now.
-  std::vector<status::Line> Lines();
-
   const board::Board& board_;
   const Clock& clock_;
   status::Places places_;
@@ -56,6 +62,7 @@ class StageStatusDisplay {
   std::optional<std::vector<ports::Output>> screens_;  // As they were written last.
   std::optional<status::Sheet> sheet_;
   bool owed_ = false;  // The display has rows that it has not shown.
+  bool on_monitor_ = false;
   Time silent_until_{};
   std::mutex text_mutex_;
   std::string screens_text_;  // For the thread that writes it, so that no frame waits for a disk.

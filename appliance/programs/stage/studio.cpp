@@ -76,6 +76,31 @@ bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
   return true;
 }
 
+// The first one makes the target, and so does another size.
+void Studio::AskPicture(int most_width_px, int most_height_px) {
+  if (canvas_.width_px() == 0 || readback_.pending()) return;
+  const double scale = std::min({1.0, double(most_width_px) / canvas_.width_px(),
+                                 double(most_height_px) / canvas_.height_px()});
+  const int width_px = std::max(1, static_cast<int>(canvas_.width_px() * scale));
+  const int height_px = std::max(1, static_cast<int>(canvas_.height_px() * scale));
+  if (asked_target_.width_px() != width_px || asked_target_.height_px() != height_px) {
+    auto target =
+        gl::Target::Make({.width_px = width_px, .height_px = height_px, .texels = gl::Texels::kSrgb8});
+    if (!target) return;
+    asked_target_ = std::move(*target);
+  }
+  canvas_.ShrinkTo(asked_target_);
+  readback_.Ask(asked_target_);
+}
+
+bool Studio::FetchPicture(SmallImage& into) {
+  if (!readback_.pending()) return false;
+  into.width_px = asked_target_.width_px();
+  into.height_px = asked_target_.height_px();
+  into.pixels.resize(std::size_t(into.width_px) * std::size_t(into.height_px) * 4);
+  return readback_.Fetch(into.pixels);
+}
+
 // The vectors are as long as before, so that this allocates nothing.
 void Studio::Renew(std::uint16_t index, std::span<const glm::vec3> displacement,
                    const std::array<float, 2>& lids) {

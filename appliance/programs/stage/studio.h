@@ -15,6 +15,7 @@
 #include "drivers/ports/scanout.h"
 #include "render/gl/canvas.h"
 #include "render/gl/context.h"
+#include "render/gl/readback.h"
 #include "render/gl/target.h"
 #include "render/gl/window.h"
 #include "render/passes/painter.h"
@@ -82,6 +83,13 @@ class Studio {
   // top row first. False where nothing was drawn.
   bool ReadSmall(int most_width_px, SmallImage& into);
 
+  // Begins to copy what was drawn last, in the canvas's proportions within this size and no larger than it, and
+  // returns at once. Nothing where nothing was drawn, or a copy is on its way.
+  void AskPicture(int most_width_px, int most_height_px);
+  // The copy that was asked for, as ReadSmall gives it; false: it is not there yet. Waits for nothing. It is
+  // of the time of AskPicture.
+  bool FetchPicture(SmallImage& into);
+
   // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for
   // it later. Takes 10 to 40 ms while there is any left, then nothing. True once: when it was the last.
   bool Prepare() { return unprepared_ && !(unprepared_ = painter_->WarmUpStep()); }
@@ -107,6 +115,8 @@ class Studio {
   gl::Window window_;
   std::optional<passes::ScreenPass> screen_pass_;
   std::optional<gl::Target> small_;
+  gl::Target asked_target_;  // Of AskPicture.
+  gl::Readback readback_;
   // Some of the drawing's shaders were never used.
   bool unprepared_ = true;
   std::uint64_t one_of_ = 1, asked_ = 0;

@@ -42,6 +42,7 @@ Facts ReadFacts(const Places& places) {
               WordOf(places.settings / "root_hash"),
               WordOf(places.settings / "slot"),
               WordOf(places.settings / "status_screen"),
+              WordOf(places.settings / "monitor_screen"),
               LinesOf(places.settings / "faults"),
               ParseScreens(ReadFile(places.screens).value_or("")),
               LinesOf(places.notices / "power"),

@@ -26,6 +26,7 @@ struct Facts {
   std::string root_hash;  // 128 digits; empty where the root file system is not verified.
   std::string slot;       // "A" or "B", the disk's slot that was started; empty where that is not known.
   std::string screen;     // The screen of the status display, by name or number; empty: there is none.
+  std::string monitor{};  // That of the operators' monitor.
   // What kaori-boot could not do, one line each, in the order in which it happened.
   std::vector<std::string> faults;
   // As the stage wrote them last; they stay there when the stage is gone.

@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
 
 #include "render/image/break_line.h"
+#include "render/image/fill.h"
 
 namespace kaori::status {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
+using image::Colour;
+using image::Fill;
 
 // A smaller picture has no room for a letter; the sums below want a height above 0.
 constexpr int kLeast_px = 16;
@@ -38,17 +39,6 @@ Colour ColourOf(Mark mark) {
       break;
   }
   return kRed;
-}
-
-// A rectangle from left, bottom up to right, top, both exclusive, cut at the picture's edges.
-void Fill(image::Picture& picture, int left, int bottom, int right, int top, const Colour& colour) {
-  for (int y = std::max(0, bottom); y < std::min(top, picture.height_px); ++y)
-    for (int x = std::max(0, left); x < std::min(right, picture.width_px); ++x) {
-      const auto at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) +
-                       static_cast<std::size_t>(x)) *
-                      4;
-      std::copy(colour.begin(), colour.end(), picture.rgbx.begin() + static_cast<std::ptrdiff_t>(at));
-    }
 }
 
 // What does not fit is told by its number, in the last row.

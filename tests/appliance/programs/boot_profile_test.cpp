@@ -100,6 +100,12 @@ TEST(Profile, NamesTheScreenThatSaysHowTheBoxDoes) {
         << wrong;
 }
 
+TEST(Profile, NamesTheScreenOfTheOperatorsMonitor) {
+  EXPECT_THAT(ReadProfile("status_screen = 2\n").monitor_screen, IsEmpty()) << "none unless it is asked for";
+  EXPECT_EQ(ReadProfile("monitor_screen = \"DP-1\"\nstatus_screen = 2").monitor_screen, "DP-1");
+  EXPECT_THAT(ReadProfile("monitor_screen = DP-1").fault, HasSubstr("line 1: expected a screen's name"));
+}
+
 TEST(Profile, NamesTheBox) {
   EXPECT_THAT(ReadProfile("profile = \"stage\"\n").box_name, IsEmpty());
   EXPECT_EQ(ReadProfile("name = \"left-lobby\"  # the one by the door\nprofile = \"kiosk\"").box_name,

@@ -80,7 +80,7 @@ TEST(BootProgram, AppliesTheSettingsAndLeavesSystemdNoDescriptorOfItsOwn) {
   EXPECT_EQ(
       ran.said,
       "/proc/self/fd:\n" + inherited.said +
-          "\n/run/kaori-profile:\nclock\ndials\nfaults\nlines\nroot_hash\nslot\nstage\nstatus_screen\n");
+          "\n/run/kaori-profile:\nclock\ndials\nfaults\nlines\nmonitor_screen\nroot_hash\nslot\nstage\nstatus_screen\n");
 }
 
 }  // namespace

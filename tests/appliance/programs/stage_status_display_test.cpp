@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "appliance/core/board/lines.h"
 #include "appliance/programs/stage/stage_status_display.h"
 #include "tests/appliance/core/board_file.h"
 
@@ -18,14 +19,14 @@ using namespace std::chrono_literals;  // NOLINT: tests speak in milliseconds.
 constexpr int kWidth_px = 320, kHeight_px = 200;
 constexpr const char* kScreensText = "HDMI-A-1 640x480 60 wanted picture\n";
 
-class HeldDisplay final : public ports::StatusDisplay {
+class HeldDisplay final : public ports::SideDisplay {
  public:
   int width_px() const override { return kWidth_px; }
   int height_px() const override { return kHeight_px; }
   bool fresh() const override { return shows == 0; }
-  Result<void> Show(std::span<const std::uint8_t> rgbx, int first, int end) override {
+  Result<void> Show(std::span<const std::uint8_t> rgbx, std::span<const ports::DisplayArea> areas) override {
     ++calls;
-    rows += end - first;
+    for (const auto& area : areas) rows += area.top_px - area.bottom_px;
     picture.assign(rgbx.begin(), rgbx.end());
     if (fault != std::errc()) return Fail(fault, "show on the held display");
     ++shows;
@@ -45,13 +46,14 @@ class ScreenBesideADisplay final : public ports::Scanout {
   Result<ports::PixelBuffer> Acquire() override { return ports::PixelBuffer{}; }
   Result<void> Present(std::uint64_t) override { return {}; }
   Result<ports::Flip> ReadFlip() override { return ports::Flip{}; }
-  ports::StatusDisplay* status_display() override { return plugged ? &held : nullptr; }
+  ports::SideDisplay* status_display() override { return plugged ? &held : nullptr; }
+  ports::SideDisplay* monitor_display() override { return monitor_plugged ? &monitor : nullptr; }
   std::vector<ports::Output> outputs() const override {
     return {{.connector = "HDMI-A-1", .width_px = 640, .height_px = 480, .rate_hz = 60}};
   }
 
-  HeldDisplay held;
-  bool plugged = true;
+  HeldDisplay held, monitor;
+  bool plugged = true, monitor_plugged = false;
 };
 
 class StageStatus : public ::testing::Test {
@@ -75,7 +77,13 @@ class StageStatus : public ::testing::Test {
 
   board::BoardFile place_;
   board::Board board_ = place_.Open();
+  void SwitchServiceKey(bool on) {
+    lines_.Write({.active = on ? 1U << static_cast<unsigned>(board::Line::kService) : 0}, clock_.now(),
+                 board::SourceState::kLive);
+  }
+
   board::Writer<board::Surface> surface_ = board_.AcquireWriter<board::Surface>().value();
+  board::Writer<board::Lines> lines_ = board_.AcquireWriter<board::Lines>().value();
   ManualClock clock_;
   ScreenBesideADisplay screen_;
   StageStatusDisplay display_{board_, clock_, {place_.folder(), place_.folder() / "screens"}};
@@ -133,6 +141,34 @@ TEST_F(StageStatus, LeavesTheScreensForOthersToRead) {
   EXPECT_TRUE(IsLeft(kScreensText));
   display_.Step(nullptr);
   EXPECT_TRUE(IsLeft(""));
+}
+
+TEST_F(StageStatus, HasTheMonitorWhileTheServiceKeyIsOn) {
+  screen_.plugged = false;
+  screen_.monitor_plugged = true;
+  Steps(10);
+  EXPECT_FALSE(display_.on_monitor());
+  EXPECT_EQ(screen_.monitor.calls, 0) << "the operators have it in a show";
+  SwitchServiceKey(true);
+  Steps(30);
+  EXPECT_TRUE(display_.on_monitor());
+  EXPECT_GT(std::ranges::count_if(screen_.monitor.picture, [](auto byte) { return byte > 200; }), 100);
+  SwitchServiceKey(false);
+  Steps(1);
+  EXPECT_FALSE(display_.on_monitor());
+  const int rows = screen_.monitor.rows;
+  SwitchServiceKey(true);
+  Steps(1);
+  EXPECT_EQ(screen_.monitor.rows, rows + kHeight_px) << "all of it, since the monitor was drawn there";
+}
+
+TEST_F(StageStatus, LeavesTheMonitorAloneWhereItHasAScreenOfItsOwn) {
+  screen_.monitor_plugged = true;
+  SwitchServiceKey(true);
+  Steps(30);
+  EXPECT_FALSE(display_.on_monitor());
+  EXPECT_EQ(screen_.monitor.calls, 0);
+  EXPECT_GT(screen_.held.calls, 0);
 }
 
 TEST_F(StageStatus, WithoutADisplayNothingIsDrawn) {

@@ -126,6 +126,7 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
                                    {"root_hash", "abc"},
                                    {"slot", "B"},
                                    {"status_screen", "HDMI-A-2"},
+                                   {"monitor_screen", "3"},
                                    {"faults", "one\n\ntwo\n"},
                                    {"screens", "HDMI-A-1 640x480 60 wanted picture\n"}})
     std::ofstream(place.folder() / file) << text;
@@ -133,6 +134,7 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
   EXPECT_EQ(facts.profile, "kiosk");
   EXPECT_EQ(facts.root_hash + facts.slot, "abcB");
   EXPECT_EQ(facts.screen, "HDMI-A-2");
+  EXPECT_EQ(facts.monitor, "3");
   EXPECT_EQ(facts.faults, (std::vector<std::string>{"one", "two"}));
   EXPECT_EQ(facts.screens.size(), 1U);
 }
@@ -151,7 +153,7 @@ TEST(StatusScreens, EveryStateAndOriginIsReadAsItWasWritten) {
   for (const auto origin :
        {ports::ModeOrigin::kWanted, ports::ModeOrigin::kSubstitute, ports::ModeOrigin::kSafeGuess})
     for (const auto state : {ports::OutputState::kShowsPicture, ports::OutputState::kUnplugged,
-                             ports::OutputState::kShowsStatus})
+                             ports::OutputState::kShowsStatus, ports::OutputState::kShowsMonitor})
       outputs.push_back(MadeOutput(origin, state));
   EXPECT_EQ(ParseScreens(FormatScreens(outputs)), outputs);
 }

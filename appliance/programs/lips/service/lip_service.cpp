@@ -28,10 +28,12 @@ LipService::LipService(const LipServiceOptions& options, LipReader& reader, cons
       tuning_(options.now, options.file,
               {.apply = [&reader](const LipSettings& settings) { reader.Use(settings); },
                .free_exposure =
-                   [&reader](bool free) { free ? reader.exposure().Free() : reader.exposure().Hold(); }}) {
+                   [&reader](bool free) { free ? reader.exposure().Free() : reader.exposure().Hold(); }}),
+      monitor_picture_(board.path()) {
   reader_.Watch([this](const decode::Planes& planes, const LipMeter& meter, Time at) {
     const Time now = clock_.now();
     if (connection_) connection_->SendPicture(planes, meter.key(), now);
+    monitor_picture_.Offer(planes, meter.key(), at, now);
     tuning_.HandlePicture(planes, meter, at, now);  // Last, since it may replace the reader's meter.
   });
 }

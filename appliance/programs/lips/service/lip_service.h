@@ -9,6 +9,7 @@
 #include "appliance/programs/lips/lip_reader.h"
 #include "appliance/programs/lips/service/desk_connection.h"
 #include "appliance/programs/lips/service/guide.h"
+#include "appliance/programs/lips/service/monitor_picture.h"
 #include "appliance/programs/lips/service/tuning.h"
 #include "drivers/base/clock.h"
 
@@ -58,6 +59,7 @@ class LipService {
   Tuning tuning_;
   Guide guide_;
   std::optional<DeskConnection> connection_;
+  MonitorPicture monitor_picture_;
   // The section says that a calibration is under way.
   bool shown_ = false;
 };

@@ -1,4 +1,4 @@
-// A screen of a graphics card as the status display: one picture in a dumb buffer, written row by row.
+// A screen of a graphics card beside those of the show: one picture in a dumb buffer, written by parts.
 #pragma once
 
 #include <cstdint>
@@ -6,21 +6,21 @@
 #include <utility>
 #include <vector>
 
-#include "drivers/ports/status_display.h"
+#include "drivers/ports/side_display.h"
 #include "drivers/scanout/kms_device.h"
 #include "drivers/scanout/kms_output.h"
 
 namespace kaori::scanout {
 
 // Has commits of its own, so that no frame of the show waits for it: one dumb buffer, into which changed
-// rows are copied while it is shown, since a text that tears for a frame does no harm. Never blanks:
+// areas are copied while it is shown, since a text that tears for a frame does no harm. Never blanks:
 // what is shown stays when this object, or its program, ends. One thread.
-class KmsStatusDisplay final : public ports::StatusDisplay {
+class KmsSideDisplay final : public ports::SideDisplay {
  public:
   // Creates the mode and the buffer; shows nothing yet. `card` must outlive
   // it. Errors: what the card says.
-  static Result<std::unique_ptr<KmsStatusDisplay>> Open(KmsDevice& card, KmsOutput output);
-  ~KmsStatusDisplay() override;
+  static Result<std::unique_ptr<KmsSideDisplay>> Open(KmsDevice& card, KmsOutput output);
+  ~KmsSideDisplay() override;
 
   // What the display is driven by; does not change.
   const KmsOutput& output() const { return output_; }
@@ -33,14 +33,14 @@ class KmsStatusDisplay final : public ports::StatusDisplay {
   int width_px() const override { return output_.chosen.mode.hdisplay; }
   int height_px() const override { return output_.chosen.mode.vdisplay; }
   bool fresh() const override { return !shown_; }
-  // Errors: invalid_argument (another size, rows out of range), and what the card says. The first call sets
-  // the mode; later ones show the same framebuffer again.
-  Result<void> Show(std::span<const std::uint8_t> rgbx, int first, int end) override;
+  // Errors: invalid_argument (another size, an area out of range), and what the card says. The first call
+  // sets the mode; later ones show the same framebuffer again.
+  Result<void> Show(std::span<const std::uint8_t> rgbx, std::span<const ports::DisplayArea> areas) override;
 
  private:
-  KmsStatusDisplay(KmsDevice& card, KmsOutput output, KmsDumbBuffer buffer, std::uint32_t mode);
-  // Copies one row of the picture into the buffer, which is another way up.
-  void Write(std::span<const std::uint8_t> rgbx, int row);
+  KmsSideDisplay(KmsDevice& card, KmsOutput output, KmsDumbBuffer buffer, std::uint32_t mode);
+  // Copies an area of the picture into the buffer, which is another way up.
+  void Write(std::span<const std::uint8_t> rgbx, const ports::DisplayArea& area);
 
   // Borrowed; the mode and the mapping are given back to it at the end.
   KmsDevice& card_;

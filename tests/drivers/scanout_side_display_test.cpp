@@ -1,7 +1,8 @@
-// A screen that is the status display: beside the show's screens, and never in their way.
+// Screens that are the status display or the monitor: beside the show's screens, and never in their way.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "tests/drivers/scanout_fixture.h"
@@ -22,7 +23,10 @@ class StatusScreen : public tests::Screens {
     card_.PlugIn(0);
     card_.PlugIn(1, {ModeOf(kWidth_px, kHeight_px)});
   }
-  Result<void> ShowAll(KmsScreen& screen) { return screen.status_display()->Show(picture_, 0, kHeight_px); }
+  Result<void> ShowRows(KmsScreen& screen, int first, int end) {
+    return screen.status_display()->Show(picture_, std::array{ports::DisplayArea{0, first, kWidth_px, end}});
+  }
+  Result<void> ShowAll(KmsScreen& screen) { return ShowRows(screen, 0, kHeight_px); }
   const std::vector<std::uint8_t>& buffer() const { return card_.dumb_buffers.begin()->second; }
   std::uint32_t StatusPlane() const { return FakeCard::kFirstPlane + 1; }
 
@@ -51,6 +55,32 @@ TEST_F(StatusScreen, AloneBelongsToTheShow) {
   EXPECT_EQ(screen->status_display(), nullptr);
 }
 
+TEST_F(StatusScreen, AndTheMonitorAreTwoScreensBesideTheShow) {
+  card_.PlugIn(2);
+  preferences_.monitor_connector = "HDMI-A-3";
+  const auto screen = Open();
+  EXPECT_EQ(size_px_, std::pair(640, 480)) << "which has the first one for itself";
+  ASSERT_NE(screen->monitor_display(), nullptr);
+  ASSERT_NE(screen->status_display(), nullptr);
+  EXPECT_EQ(screen->monitor_display()->width_px(), 640);
+  ASSERT_EQ(screen->outputs().size(), 3U);
+  EXPECT_EQ(ports::Describe(screen->outputs()[2]), "HDMI-A-3 640 x 480 at 60 Hz, shows the operators' monitor");
+}
+
+TEST_F(StatusScreen, ThatIsTheMonitorTooIsTheMonitor) {
+  preferences_.monitor_connector = "2";
+  const auto screen = Open();
+  EXPECT_NE(screen->monitor_display(), nullptr);
+  EXPECT_EQ(screen->status_display(), nullptr);
+}
+
+TEST_F(StatusScreen, LeavesTheShowItsLastScreenWhereAllAreNamed) {
+  preferences_.monitor_connector = "HDMI-A-1";
+  const auto screen = Open();
+  EXPECT_NE(screen->monitor_display(), nullptr);
+  EXPECT_EQ(size_px_, std::pair(kWidth_px, kHeight_px));
+}
+
 TEST_F(StatusScreen, WhoseNameNoScreenHasIsNone) {
   preferences_.status_connector = "DP-7";
   const auto screen = Open();
@@ -70,11 +100,14 @@ TEST_F(StatusScreen, ShowsItsRowsAsTheCardWantsThem) {
   EXPECT_EQ(card_.Value(card_.connectors[1].id, "CRTC_ID"), FakeCard::kFirstCrtc + 1);
 }
 
-TEST_F(StatusScreen, CopiesOnlyTheRowsThatItIsGiven) {
+TEST_F(StatusScreen, CopiesOnlyTheAreasThatItIsGiven) {
   const auto screen = Open();
   std::ranges::fill(picture_, std::uint8_t{9});
-  ASSERT_TRUE(screen->status_display()->Show(picture_, 50, 51));
-  EXPECT_EQ(std::ranges::count(buffer(), std::uint8_t{9}), kWidth_px * 3);
+  const std::array areas{ports::DisplayArea{10, 50, 20, 52}, ports::DisplayArea{0, 60, 1, 61}};
+  const int before = card_.commits;
+  ASSERT_TRUE(screen->status_display()->Show(picture_, areas));
+  EXPECT_EQ(std::ranges::count(buffer(), std::uint8_t{9}), (10 * 2 + 1) * 3);
+  EXPECT_EQ(card_.commits, before + 1) << "and shows them together";
 }
 
 TEST_F(StatusScreen, APictureOfAnotherSizeIsRefused) {
@@ -82,8 +115,8 @@ TEST_F(StatusScreen, APictureOfAnotherSizeIsRefused) {
   picture_.pop_back();
   EXPECT_EQ(ShowAll(*screen).error().cause, std::errc::invalid_argument);
   picture_.push_back(0);
-  EXPECT_EQ(screen->status_display()->Show(picture_, 0, kHeight_px + 1).error().cause,
-            std::errc::invalid_argument);
+  EXPECT_EQ(ShowRows(*screen, 0, kHeight_px + 1).error().cause, std::errc::invalid_argument);
+  EXPECT_EQ(ShowRows(*screen, 5, 4).error().cause, std::errc::invalid_argument);
 }
 
 TEST_F(StatusScreen, NoFrameOfTheShowWaitsForIt) {
