@@ -20,7 +20,7 @@ std::string NameOf(const Items& items, std::size_t index) {
 }
 
 std::string StyleName(std::size_t style) {
-  return style < kStyleNames.size() ? kStyleNames[style] : "nothing";
+  return std::string(style < kStyleNames.size() ? kStyleNames[style] : "nothing");
 }
 
 // "face dog": what a button or key calls, in the same words as in show.toml. Names are compared, not numbers:
@@ -44,6 +44,11 @@ std::string Calls(const show::Show& show, const show::Call& call) {
       return fmt::format("sheet {}", call.index + 1);
     case show::CallKind::kMotion:
       return "motion " + NameOf(show.motions, call.index);
+    case show::CallKind::kBlink:
+      return std::string(show::kBlinkNames[call.index % show::kBlinkNames.size()]);
+    case show::CallKind::kGoTo:
+      return call.index < show.cue_list.cues.size() ? "cue " + show.cue_list.cues[call.index].number
+                                                    : "nothing";
   }
   return "nothing";
 }

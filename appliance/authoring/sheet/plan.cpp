@@ -111,10 +111,10 @@ class Planner {
   // Each style alone and whole. The head is turned a little: straight ahead, depth cannot be judged.
   Sheet Styles() const {
     Section grid{.in_a_row = scene::kStyleCount, .rows = FaceNames(cast_)};
-    for (const char* style : kStyleNames) grid.columns.emplace_back(style);
+    for (const std::string_view style : kStyleNames) grid.columns.emplace_back(style);
     for (std::uint16_t f = 0; f < cast_.faces.size(); ++f)
       for (std::size_t style = 0; style < kStyleNames.size(); ++style) {
-        grid.cells.push_back(Plain(f, kStyleNames[style]));
+        grid.cells.push_back(Plain(f, std::string(kStyleNames[style])));
         grid.cells.back().scene.styles = {};
         grid.cells.back().scene.styles[style] = 1;
         grid.cells.back().scene.head.yaw_rad = 0.35F;
