@@ -48,7 +48,11 @@ std::optional<MidiMessage> MidiParser::AcceptData(std::uint8_t byte) {
   data_[data_bytes_++] = byte;
   if (data_bytes_ < DataBytesOf(status_)) return std::nullopt;
   data_bytes_ = 0;
-  MidiMessage message{.channel = (status_ & 0x0F) + 1, .number = data_[0], .value = data_[1]};
+  const bool has_value = DataBytesOf(status_) > 1;
+  MidiMessage message{.channel = (status_ & 0x0F) + 1,
+                      .number = data_[0],
+                      .value = has_value ? data_[1] : std::uint8_t{0},
+                      .status = status_};
   const unsigned kind = status_ >> 4U;
   if (kind == 0x8 || (kind == 0x9 && message.value == 0)) message.kind = MidiMessage::Kind::kNoteOff;
   if (kind == 0x9 && message.value != 0) message.kind = MidiMessage::Kind::kNoteOn;

@@ -16,7 +16,8 @@ struct MidiMessage {
   Kind kind = Kind::kOther;
   int channel = 1;
   std::uint8_t number = 0;  // Of the note or the control.
-  std::uint8_t value = 0;   // Velocity or value.
+  std::uint8_t value = 0;   // Velocity or value; 0 of a message with one byte of data.
+  std::uint8_t status = 0;  // The byte with which it began, or would have without running status.
 };
 
 // Longer SysEx is passed over to its end.

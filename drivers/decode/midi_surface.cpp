@@ -55,10 +55,15 @@ MidiSurface::MidiSurface(const MidiMap& map)
 
 // A control that is no dial of the map, or did not turn it, may still be a button.
 bool MidiSurface::Accept(std::uint8_t byte) {
-  const auto message = parser_.Accept(byte);
+  const auto message = ended_ = parser_.Accept(byte);
   if (!message || message->kind == MidiMessage::Kind::kOther) return false;
   if (map_.any) return AcceptAny(*message);
   return message->kind == MidiMessage::Kind::kControl && Turn(*message) ? true : Press(*message);
+}
+
+std::optional<MidiSurface::Heard> MidiSurface::heard() const {
+  if (!ended_) return std::nullopt;
+  return Heard{*ended_, DialOf(*ended_), ButtonOf(*ended_)};
 }
 
 // Where each control stands is known by its channel and number: two of them may turn one dial.
@@ -90,30 +95,44 @@ bool MidiSurface::Hold(std::size_t button, bool is_down) {
 }
 
 // The first dial of the map with this channel and control counts.
-bool MidiSurface::Turn(const MidiMessage& message) {
-  for (std::size_t n = 0; n < std::min(map_.dials.size(), counts_.size()); ++n) {
-    const MidiDial& dial = map_.dials[n];
-    if (dial.channel != message.channel || dial.control != message.number) continue;
-    std::int32_t turn = TurnOf(dial.mode, message.value);
-    if (dial.mode == MidiDialMode::kAbsolute) {
-      turn = message.value - positions_[n].value_or(message.value);
-      positions_[n] = message.value;
-    }
-    return Add(n, turn);
-  }
-  return false;
+std::optional<std::size_t> MidiSurface::DialOf(const MidiMessage& message) const {
+  if (message.kind != MidiMessage::Kind::kControl) return std::nullopt;
+  if (map_.any) return AnyButton(message) ? std::nullopt : AnyDial(message);
+  for (std::size_t n = 0; n < std::min(map_.dials.size(), counts_.size()); ++n)
+    if (map_.dials[n].channel == message.channel && map_.dials[n].control == message.number) return n;
+  return std::nullopt;
 }
 
-bool MidiSurface::Press(const MidiMessage& message) {
+bool MidiSurface::Turn(const MidiMessage& message) {
+  const auto n = DialOf(message);
+  if (!n) return false;
+  const MidiDial& dial = map_.dials[*n];
+  std::int32_t turn = TurnOf(dial.mode, message.value);
+  if (dial.mode == MidiDialMode::kAbsolute) {
+    turn = message.value - positions_[*n].value_or(message.value);
+    positions_[*n] = message.value;
+  }
+  return Add(*n, turn);
+}
+
+std::optional<std::size_t> MidiSurface::ButtonOf(const MidiMessage& message) const {
+  if (message.kind == MidiMessage::Kind::kOther) return std::nullopt;
+  if (map_.any) return AnyButton(message);
   const bool is_control = message.kind == MidiMessage::Kind::kControl;
-  const bool is_down = is_control ? message.value >= kMiddle : message.kind == MidiMessage::Kind::kNoteOn;
   const auto is_meant = [&](const MidiButton& button) {
     return button.is_control == is_control && button.channel == message.channel &&
            button.number == message.number;
   };
   const auto found = std::ranges::find_if(map_.buttons, is_meant);
   const auto n = static_cast<std::size_t>(found - map_.buttons.begin());
-  return found != map_.buttons.end() && n < kMostButtons && Hold(n, is_down);
+  return found != map_.buttons.end() && n < kMostButtons ? std::optional(n) : std::nullopt;
+}
+
+bool MidiSurface::Press(const MidiMessage& message) {
+  const bool is_control = message.kind == MidiMessage::Kind::kControl;
+  const bool is_down = is_control ? message.value >= kMiddle : message.kind == MidiMessage::Kind::kNoteOn;
+  const auto button = ButtonOf(message);
+  return button && Hold(*button, is_down);
 }
 
 // Note-on or control change, by what the button itself sends; value 127 lights and 0 darkens, since a note-on

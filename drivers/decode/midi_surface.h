@@ -60,6 +60,13 @@ class MidiSurface {
 
   // Returns whether the byte changed anything.
   bool Accept(std::uint8_t byte);
+  // The message that the last byte ended, if it ended one, and the dial or the button of the map for which it
+  // is, whether it changed anything or not.
+  struct Heard {
+    MidiMessage message;
+    std::optional<std::size_t> dial, button;
+  };
+  std::optional<Heard> heard() const;
   const std::array<std::int32_t, kMaxDials>& counts() const { return counts_; }
   std::uint32_t buttons_down() const { return down_; }
 
@@ -78,7 +85,12 @@ class MidiSurface {
   bool Hold(std::size_t button, bool is_down);
 
   const MidiMap& map_;
+  // For which of the map's lists the message is.
+  std::optional<std::size_t> DialOf(const MidiMessage& message) const;
+  std::optional<std::size_t> ButtonOf(const MidiMessage& message) const;
+
   MidiParser parser_;
+  std::optional<MidiMessage> ended_;  // By the last byte.
   std::vector<std::optional<std::uint8_t>>
       positions_;  // Of dials that tell where they stand; of any map, by channel and control.
   std::array<std::int32_t, kMaxDials> counts_{};

@@ -50,13 +50,24 @@ UniqueFd OpenNode(const fs::path& path) {
   return fd;
 }
 
+// What plays nothing, since its device is only listened to.
+ports::MidiHeard Unmeant(const decode::MidiMessage& message, std::uint16_t vendor, std::uint16_t product,
+                         Time at) {
+  return {.at = at,
+          .vendor = vendor,
+          .product = product,
+          .status = message.status,
+          .number = message.number,
+          .value = message.value};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<MidiBus>> MidiBus::Open(MidiFolders folders, const std::vector<KnownSurface>& surfaces,
-                                               const Clock& clock) {
+                                               const Clock& clock, ports::MidiTap* tap) {
   auto timer = OpenTimer(folders.look_every, folders.look_every, "look for MIDI devices now and then");
   if (!timer) return tl::unexpected(timer.error());
-  return std::unique_ptr<MidiBus>(new MidiBus(std::move(folders), surfaces, clock, std::move(*timer)));
+  return std::unique_ptr<MidiBus>(new MidiBus(std::move(folders), surfaces, clock, tap, std::move(*timer)));
 }
 
 // A machine without sound has no such folder, which is no fault.
@@ -89,7 +100,7 @@ const KnownSurface* MidiBus::MapFor(const Node& node) const {
 
 // One that cannot be opened or read now is tried at the next look. The rest of what was said is the
 // channel's.
-bool MidiBus::Listen(Listened& listened, const Node& node) {
+bool MidiBus::Listen(Listened& listened, const Node& node) const {
   if (listened.has_spoken) return true;
   if (!listened.node.valid()) listened.node = OpenNode(node.path);
   std::array<std::uint8_t, 64> bytes{};
@@ -99,6 +110,7 @@ bool MidiBus::Listen(Listened& listened, const Node& node) {
     if (got <= 0) listened.node.reset();
     for (ssize_t n = 0; n < got; ++n) {
       const auto message = listened.parser.Accept(bytes[static_cast<std::size_t>(n)]);
+      if (message && tap_ != nullptr) tap_->Note(Unmeant(*message, node.vendor, node.product, clock_.now()));
       listened.has_spoken =
           listened.has_spoken || (message && (decode::AnyDial(*message) || decode::AnyButton(*message)));
     }
@@ -128,7 +140,7 @@ Result<std::unique_ptr<ports::HidChannel>> MidiBus::Open(const std::string& port
       .name = known == nullptr ? fmt::format("MIDI {:04x}:{:04x}", node.vendor, node.product) : known->name,
       .descriptor = {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()}};
   return std::make_unique<MidiChannel>(std::move(fd), identity, known == nullptr ? kAnyMap : known->map,
-                                       clock_);
+                                       clock_, tap_);
 }
 
 }  // namespace kaori::midi

@@ -11,6 +11,7 @@
 #include "drivers/base/unique_fd.h"
 #include "drivers/decode/midi_surface.h"
 #include "drivers/ports/hid_channel.h"
+#include "drivers/ports/midi_tap.h"
 
 namespace kaori::midi {
 
@@ -34,9 +35,10 @@ struct MidiFolders {
 // which is lost: until then it may be the socket of a sound card into which nobody has plugged anything.
 class MidiBus final : public ports::HidBus {
  public:
-  // Borrows the clock, and the surfaces, which may grow no more. Errors: those of timerfd_create(2).
+  // Borrows the clock, the surfaces, which may grow no more, and the tap, which hears what all devices send;
+  // null: nobody listens. Errors: those of timerfd_create(2).
   static Result<std::unique_ptr<MidiBus>> Open(MidiFolders folders, const std::vector<KnownSurface>& surfaces,
-                                               const Clock& clock);
+                                               const Clock& clock, ports::MidiTap* tap = nullptr);
 
   int pollable() const override { return timer_.get(); }
   Result<std::vector<std::string>> Ports() override;
@@ -56,13 +58,19 @@ class MidiBus final : public ports::HidBus {
   };
   const KnownSurface* MapFor(const Node& node) const;
   // Whether it has spoken until now.
-  static bool Listen(Listened& listened, const Node& node);
-  MidiBus(MidiFolders folders, const std::vector<KnownSurface>& surfaces, const Clock& clock, UniqueFd timer)
-      : folders_(std::move(folders)), surfaces_(surfaces), clock_(clock), timer_(std::move(timer)) {}
+  bool Listen(Listened& listened, const Node& node) const;
+  MidiBus(MidiFolders folders, const std::vector<KnownSurface>& surfaces, const Clock& clock,
+          ports::MidiTap* tap, UniqueFd timer)
+      : folders_(std::move(folders)),
+        surfaces_(surfaces),
+        clock_(clock),
+        tap_(tap),
+        timer_(std::move(timer)) {}
 
   MidiFolders folders_;
   const std::vector<KnownSurface>& surfaces_;
   const Clock& clock_;
+  ports::MidiTap* tap_;
   UniqueFd timer_;
   std::map<std::string, Node> nodes_;  // By port, as is the next one.
   std::map<std::string, Listened> listened_;

@@ -13,8 +13,8 @@ constexpr int kFillsAtOnce = 16;
 }  // namespace
 
 MidiChannel::MidiChannel(UniqueFd node, const ports::HidIdentity& identity, const decode::MidiMap& map,
-                         const Clock& clock)
-    : node_(std::move(node)), identity_(identity), map_(map), clock_(clock), surface_(map) {
+                         const Clock& clock, ports::MidiTap* tap)
+    : node_(std::move(node)), identity_(identity), map_(map), clock_(clock), tap_(tap), surface_(map) {
   // Where it does not take it now it is as it was switched on, and its dials may do nothing.
   (void)Send(map_.start);
 }
@@ -42,10 +42,25 @@ Result<ports::HidInput> MidiChannel::Read(std::span<std::uint8_t> into) {
   Repaint(clock_.now());
   for (int fills = 0; fills < kFillsAtOnce; ++fills) {
     while (next_ < end_)
-      if (surface_.Accept(bytes_[next_++])) return report();
+      if (AcceptNext()) return report();
     if (auto filled = Fill(); !filled) return tl::unexpected(filled.error());
   }
   return Fail(std::errc::resource_unavailable_try_again, "read " + identity_.port);
+}
+
+bool MidiChannel::AcceptNext() {
+  const bool changed = surface_.Accept(bytes_[next_++]);
+  const auto heard = surface_.heard();
+  if (tap_ != nullptr && heard)
+    tap_->Note({.at = read_at_,
+                .vendor = identity_.vendor,
+                .product = identity_.product,
+                .status = heard->message.status,
+                .number = heard->message.number,
+                .value = heard->message.value,
+                .dial = heard->dial,
+                .button = heard->button});
+  return changed;
 }
 
 void MidiChannel::Repaint(Time now) {

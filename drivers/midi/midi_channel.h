@@ -9,6 +9,7 @@
 #include "drivers/decode/dial_box_reporter.h"
 #include "drivers/decode/midi_surface.h"
 #include "drivers/ports/hid_channel.h"
+#include "drivers/ports/midi_tap.h"
 
 namespace kaori::midi {
 
@@ -16,9 +17,10 @@ namespace kaori::midi {
 // lamps go back as that report says them. One thread.
 class MidiChannel final : public ports::HidChannel {
  public:
-  // `node` is open and does not block. Sends what the map says to begin with. Borrows the map and the clock.
+  // `node` is open and does not block. Sends what the map says to begin with. Borrows the map, the clock and the
+  // tap, which hears each message; null: nobody listens.
   MidiChannel(UniqueFd node, const ports::HidIdentity& identity, const decode::MidiMap& map,
-              const Clock& clock);
+              const Clock& clock, ports::MidiTap* tap);
 
   int pollable() const override { return node_.get(); }
   const ports::HidIdentity& identity() const override { return identity_; }
@@ -30,11 +32,14 @@ class MidiChannel final : public ports::HidChannel {
   // Lamps that are due again by time.
   void Repaint(Time now);
   Result<void> Fill();
+  // Decodes the next byte; whether it changed anything.
+  bool AcceptNext();
 
   UniqueFd node_;
   ports::HidIdentity identity_;
   const decode::MidiMap& map_;
   const Clock& clock_;
+  ports::MidiTap* tap_;
   decode::MidiSurface surface_;
   decode::DialBoxReporter reporter_;
   std::array<std::uint8_t, 256> bytes_{};  // As they came, of which those before next_ were decoded.

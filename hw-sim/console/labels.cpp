@@ -20,6 +20,7 @@ constexpr std::uint64_t kLastUsage = 0xE7;
 constexpr std::size_t kMostKeys = 64;
 constexpr std::size_t kMostCues = 2000;  // As a show may have.
 constexpr std::size_t kMostLevels = 64;
+constexpr std::size_t kMostMotions = 4096;  // As a show may have.
 
 // An entry that is left out is empty; one of another kind is not, and fails the whole file.
 bool ReadText(const Json& json, const char* name, std::string& into) {
@@ -93,6 +94,20 @@ bool ReadLevel(const Json& json, LevelLabel& into) {
          ReadNumber(json, "high", into.high) && ReadNumber(json, "rest", into.rest);
 }
 
+// What is left out is false.
+bool ReadFlag(const Json& json, const char* name, bool& into) {
+  if (!json.contains(name)) return true;
+  if (!json[name].is_boolean()) return false;
+  into = json[name].get<bool>();
+  return true;
+}
+
+bool ReadMotion(const Json& json, MotionLabel& into) {
+  return json.is_object() && ReadText(json, "text", into.text) && ReadText(json, "moves", into.moves) &&
+         ReadNumber(json, "length_s", into.length_s) && ReadFlag(json, "loops", into.loops) &&
+         ReadFlag(json, "take", into.take) && ReadFlag(json, "sound", into.sound);
+}
+
 bool ReadButton(const Json& json, ButtonLabel& into) {
   return ReadText(json, "text", into.text) && ReadText(json, "group", into.group);
 }
@@ -121,6 +136,8 @@ std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (json.contains("keys")) into.keys.assign(std::min(json["keys"].size(), kMostKeys), {});
   if (json.contains("cues")) into.cues.assign(std::min(json["cues"].size(), kMostCues), {});
   if (json.contains("levels")) into.levels.assign(std::min(json["levels"].size(), kMostLevels), {});
+  if (json.contains("motions")) into.motions.assign(std::min(json["motions"].size(), kMostMotions), {});
+  if (auto fault = ReadRow(json, "motions", into.motions, ReadMotion)) return fault;
   if (auto fault = ReadRow(json, "cues", into.cues, ReadCue)) return fault;
   if (auto fault = ReadRow(json, "levels", into.levels, ReadLevel)) return fault;
   if (auto fault = ReadRow(json, "dials", into.dials, ReadDial)) return fault;
@@ -152,7 +169,8 @@ std::string LabelsJson(const Labels& labels) {
   Json json{{"show", labels.show},     {"dials", Json::array()},    {"buttons", Json::array()},
             {"sticks", Json::array()}, {"scenes", labels.scenes},   {"styles", labels.styles},
             {"keys", Json::array()},   {"cues", Json::array()},     {"levels", Json::array()},
-            {"roles", labels.roles},   {"devices", labels.devices}, {"teachable", labels.teachable}};
+            {"roles", labels.roles},   {"devices", labels.devices}, {"teachable", labels.teachable},
+            {"motions", Json::array()}};
   for (const auto& dial : labels.dials) json["dials"].push_back(DialJson(dial));
   for (const auto& button : labels.buttons)
     json["buttons"].push_back({{"text", button.text}, {"group", button.group}});
@@ -175,6 +193,13 @@ std::string LabelsJson(const Labels& labels) {
                               {"low", level.low},
                               {"high", level.high},
                               {"rest", level.rest}});
+  for (const auto& motion : labels.motions)
+    json["motions"].push_back({{"text", motion.text},
+                               {"moves", motion.moves},
+                               {"length_s", motion.length_s},
+                               {"loops", motion.loops},
+                               {"take", motion.take},
+                               {"sound", motion.sound}});
   // Text that is not UTF-8 is shown with replacement signs: a label never stops the page.
   return json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
 }

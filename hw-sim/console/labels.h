@@ -68,6 +68,16 @@ struct LevelLabel {
   double low = 0, high = 1, rest = 0;  // Of that value.
 };
 
+// A registered motion or a take of the show.
+struct MotionLabel {
+  std::string text{};
+  std::string moves{};  // The parts of the face to which it is added: "head, gaze".
+  double length_s = 0;
+  bool loops = false;  // It plays until something ends it.
+  bool take = false;   // A person played it.
+  bool sound = false;
+};
+
 // All that is written on the devices, for one show: made by the authoring tool from the show's
 // files. An empty text leaves the number alone.
 struct Labels {
@@ -87,6 +97,7 @@ struct Labels {
   std::vector<std::string> roles{};
   std::vector<std::string> devices{};
   std::vector<std::string> teachable{};  // Levels that may be taught, as board::Learn counts them.
+  std::vector<MotionLabel> motions{};    // In their order, by which the stage counts.
   // In the order in which the page shows them. What every show has, until it says more.
   std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
 };
@@ -101,7 +112,8 @@ Result<Labels> LoadLabels(const std::string& path);
 //  "buttons":[{"text","group"}..], "second_buttons":[..], "sticks":[{"text","twist","slide"}..],
 //  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..],
 //  "cues":[{"number","text","act","notes","by_itself"}..], "levels":[{"text","unit","per_unit","low","high","rest"}..],
-//  "roles":[name..], "devices":[name..], "teachable":[name..]}
+//  "roles":[name..], "devices":[name..], "teachable":[name..],
+//  "motions":[{"text","moves","length_s","loops","take","sound"}..]}
 std::string LabelsJson(const Labels& labels);
 
 }  // namespace kaori::console

@@ -12,10 +12,11 @@
 namespace kaori::sim {
 
 // The input lines in the order in which the box expects them (appliance/core/board/lines.h).
-inline constexpr std::array<std::string_view, 4> kLineNames{"go", "blackout", "service", "presence"};
+inline constexpr std::array<std::string_view, 6> kLineNames{"go",       "blackout", "service",
+                                                            "presence", "back",     "panic"};
 
-// Switches without bounce: a contact that chatters is made by two calls. Lines 0 (a push button) and 1
-// to 3 (switches that stay) differ only for whoever operates them. One thread.
+// Switches without bounce: a contact that chatters is made by two calls. Lines 0, 4 and 5 (push buttons)
+// and 1 to 3 (switches that stay) differ only for whoever operates them. One thread.
 class LinePanel {
  public:
   // The numbers of the lines.
@@ -26,7 +27,7 @@ class LinePanel {
   struct Edge {
     // The context's clock, when the switch moved.
     Time at{};
-    // 0 .. 3, as kLineNames has them.
+    // 0 .. 5, as kLineNames has them.
     int line = 0;
     // The switch is on.
     bool closed = false;
@@ -35,7 +36,7 @@ class LinePanel {
   // Borrows the context.
   explicit LinePanel(const DeviceContext& context) : context_(context) {}
 
-  // Test's side. Numbers outside of 0 to 3 are ignored.
+  // Test's side. Numbers outside of 0 to 5 are ignored.
   void Close(int line) { Set(line, true); }  // The switch is on,
   void Open(int line) { Set(line, false); }  // and off.
   bool tally() const { return tally_; }      // The lamp is lit.

@@ -18,9 +18,14 @@ constexpr std::uint32_t kFade = 30;  // Frames, after which it is over.
 // Of the picture's points that are lit: a black picture has none, and some of noise is forgiven.
 constexpr double kBlack = 0.004;
 
-// Numbers of the bridge's lines as docs/image.md wires them; those on the board are the same. The tally
-// lamp is an output; the others are switches.
-enum Line { kGo = 0, kBlackout = 1, kService = 2, kPresence = 3, kTally = 4 };
+// Numbers of the bridge's lines as docs/image.md wires them. The tally lamp is an output; the others are
+// switches.
+enum Line { kGo = 0, kBlackout = 1, kService = 2, kPresence = 3, kTally = 4, kBack = 5, kPanic = 6 };
+
+// The line's number on the board, which counts switches alone.
+unsigned OnBoard(int line) {
+  return static_cast<unsigned>(line < kTally ? line : line - 1);
+}
 
 // The box's own program has the lines. Without the kernel's chip there is nothing to try.
 bool HasLines(Scene& scene) {
@@ -31,7 +36,7 @@ bool HasLines(Scene& scene) {
 // Waits until the board has the line so. Errors: timed_out.
 Result<void> WantLine(Scene& scene, int line, bool on) {
   const auto stands = [&](const BoardView& board) {
-    return (board.lines_active >> static_cast<unsigned>(line) & 1U) == (on ? 1U : 0U);
+    return (board.lines_active >> OnBoard(line) & 1U) == (on ? 1U : 0U);
   };
   const auto seen =
       scene.target.UntilBoard(stands, kLineLongest, fmt::format("see line {} {}", line, on ? "on" : "off"));
@@ -60,7 +65,7 @@ class SwitchesOpenAfterwards {
  public:
   explicit SwitchesOpenAfterwards(Scene& scene) : bridge_(scene.target.rig().gpio()) {}
   ~SwitchesOpenAfterwards() {
-    for (const int line : {kGo, kBlackout, kService, kPresence}) bridge_.Open(line);
+    for (const int line : {kGo, kBlackout, kService, kPresence, kBack, kPanic}) bridge_.Open(line);
   }
   SwitchesOpenAfterwards(const SwitchesOpenAfterwards&) = delete;
   SwitchesOpenAfterwards& operator=(const SwitchesOpenAfterwards&) = delete;
@@ -88,6 +93,15 @@ Result<void> Go(Scene& scene) {
   const auto called = scene.target.UntilBoard(next, kLineLongest, "see the cue that stood by");
   if (!called) return tl::unexpected(called.error());
   return Switch(scene, kGo, false);
+}
+
+// Pushed one after the other; what they do to the list is the performance's, and tried there. PANIC ends with
+// the panic scene, from which the list goes on.
+Result<void> BackAndPanic(Scene& scene) {
+  for (const int line : {kBack, kPanic})
+    for (const bool on : {true, false})
+      if (auto ok = Switch(scene, line, on); !ok) return ok;
+  return {};
 }
 
 // The picture goes black, or shows a face again: looked at until it does. It fades from frame to frame, so
@@ -128,10 +142,12 @@ Result<void> Lines(Scene& scene) {
   if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
   const SwitchesOpenAfterwards opened(scene);
   if (auto ok = WantTally(scene, true); !ok) return ok;
-  for (const auto& part : {AllSwitches, Go, Blackout})
+  for (const auto& part : {AllSwitches, Go, BackAndPanic, Blackout})
     if (auto ok = part(scene); !ok) return ok;
   scene.finding.said =
-      "service and presence, GO plays the cue that stood by, blackout and back; the tally lamp follows";
+      "service and presence, GO plays the cue that stood by, BACK and PANIC are seen, blackout and lit "
+      "again; the "
+      "tally lamp follows";
   return {};
 }
 

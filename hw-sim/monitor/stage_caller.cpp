@@ -19,14 +19,15 @@ struct Form {
   bool of_a_cue;      // The word behind the verb is the number of a cue; else a place, counted from 0.
   std::string_view example;
 };
-constexpr std::array<Form, 8> kForms{{{"goto", board::CallVerb::kGoTo, 2, true, "goto 14"},
+constexpr std::array<Form, 9> kForms{{{"goto", board::CallVerb::kGoTo, 2, true, "goto 14"},
                                       {"standby", board::CallVerb::kStandBy, 2, true, "standby 2.10"},
                                       {"level", board::CallVerb::kLevel, 3, false, "level 8 0.25"},
                                       {"letgo", board::CallVerb::kLetGo, 2, false, "letgo 8"},
                                       {"load", board::CallVerb::kLoadRole, 3, false, "load 1 0"},
                                       {"check", board::CallVerb::kLineCheck, 2, false, "check 1"},
                                       {"learn", board::CallVerb::kLearn, 3, false, "learn 1 8"},
-                                      {"lock", board::CallVerb::kLock, 2, false, "lock 1"}}};
+                                      {"lock", board::CallVerb::kLock, 2, false, "lock 1"},
+                                      {"motion", board::CallVerb::kMotion, 3, false, "motion 3 1"}}};
 
 std::vector<std::string_view> WordsOf(std::string_view line) {
   std::vector<std::string_view> words;
@@ -51,8 +52,8 @@ Result<board::Call> ReadCall(std::string_view line) {
   const std::string quoted = "\"" + std::string(line) + "\"";
   const auto* const form = std::ranges::find(kForms, words.empty() ? "" : words[0], &Form::word);
   if (form == kForms.end())
-    return FailInput(quoted +
-                     " is no call; calls are goto, standby, level, letgo, load, check, learn and lock");
+    return FailInput(
+        quoted + " is no call; calls are goto, standby, level, letgo, load, check, learn, lock and motion");
   const auto expected = FailInput(quoted + ": expected such as " + std::string(form->example));
   if (words.size() != form->words) return expected;
   const auto subject = SubjectOf(*form, words[1]);

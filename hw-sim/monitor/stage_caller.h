@@ -1,5 +1,5 @@
 // Calls on the board in the words of a page: "goto 14", "standby 2.10", "level 8 0.25", "letgo 8", "load 1
-// 0", "check 1", "learn 1 8", "lock 1". Levels, roles and devices are counted from 0, as board::Call has them. For the
+// 0", "check 1", "learn 1 8", "lock 1", "motion 3 1". Levels, roles, motions and devices are counted from 0, as board::Call has them. For the
 // page that people look at: it stands where a remote control will.
 #pragma once
 

@@ -1,7 +1,12 @@
 #include "hw-sim/monitor/stage_monitor.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <fmt/format.h>
+
+#include "hw-sim/monitor/midi_words.h"
 
 namespace kaori::sim {
 namespace {
@@ -46,6 +51,33 @@ json::Value LearnJson(const board::Stamped<board::Learn>& learn, Time now) {
                       {"ambiguous", value.ambiguous != 0}};
 }
 
+json::List MotionsJson(const board::ShowNow& show) {
+  json::List motions;
+  for (const board::MotionShown& one : show.motions)
+    if (one.motion >= 0)
+      // Tenths, as people read them.
+      motions.push_back(
+          json::List{one.motion, std::floor(static_cast<double>(one.at_s) * 10) / 10, one.ends != 0});
+  return motions;
+}
+
+// Oldest first. Numbers that the board's dials and buttons have not are none.
+json::List MidiJson(const board::MidiHeard& heard) {
+  using board::MidiHeard;
+  const auto number = [](std::uint32_t meant) {
+    return meant == MidiHeard::kNothing ? -1 : static_cast<std::int32_t>(meant);
+  };
+  json::List messages;
+  const std::uint32_t kept = std::min<std::uint32_t>(heard.count, MidiHeard::kKept);
+  for (std::uint32_t n = heard.count - kept; n != heard.count; ++n) {
+    const MidiHeard::Message& message = heard.newest[n % MidiHeard::kKept];
+    messages.push_back(
+        json::List{n, fmt::format("{:04x}:{:04x}", message.device >> 16U, message.device & 0xFFFFU),
+                   WordsOf(message), number(message.meant & 0xFFU), number(message.meant >> 8U & 0xFFU)});
+  }
+  return messages;
+}
+
 }  // namespace
 
 // Nothing: no stage writes the board. It is looked for once in a period, since each look opens a file.
@@ -55,7 +87,7 @@ std::optional<StageMonitor::Now> StageMonitor::Look() {
     const auto status = board_->Read<board::StageStatus>();
     if (status.source == board::SourceState::kLive && now - status.at < kSilence)
       return Now{status.value, board_->Read<board::ShowNow>().value, board_->Read<board::LineCheck>(),
-                 board_->Read<board::Learn>()};
+                 board_->Read<board::Learn>(), board_->Read<board::MidiHeard>().value};
   }
   // Looked for anew, since a stage that was started again may have made another file.
   if (now < look_at_) return std::nullopt;
@@ -95,7 +127,9 @@ json::Value StageMonitor::Read() {
                       {"lobby_hours", kHoursWords[static_cast<std::size_t>(show.lobby_hours)]},
                       {"check", CheckJson(now->check, clock_.now())},
                       {"learn", LearnJson(now->learn, clock_.now())},
-                      {"role_devices", json::ListOf(show.role_devices)}};
+                      {"role_devices", json::ListOf(show.role_devices)},
+                      {"motions", MotionsJson(show)},
+                      {"midi", MidiJson(now->midi)}};
 }
 
 }  // namespace kaori::sim

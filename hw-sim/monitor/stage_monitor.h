@@ -25,8 +25,11 @@ class StageMonitor {
   //    "locked":bool, "locked_out":count, "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]},
   //    "lobby":word or "", "lobby_hours":word or "",
   //    "learn":null or {"phase","choice":numbers,"control":words,"inverted","instead":bools,"restless":words,"ambiguous":bool},
-  //    "role_devices":[number..]}
+  //    "role_devices":[number..],
+  //    "motions":[[number,seconds,ends]..], "midi":[[count,device,words,dial,button]..]}
   // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue.
+  // Of motions those that play are there. Of MIDI messages the newest is last; each has the number under which it was
+  // counted, and -1 where it is for no dial or no button.
   // Does not block; where there is no board, or a stage that has been silent for two seconds, the file is
   // looked for anew once a second.
   json::Value Read();
@@ -37,6 +40,7 @@ class StageMonitor {
     board::ShowNow show;
     board::Stamped<board::LineCheck> check;
     board::Stamped<board::Learn> learn;
+    board::MidiHeard midi;
   };
   // The sections as a stage that draws wrote them last.
   std::optional<Now> Look();

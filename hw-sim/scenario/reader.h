@@ -17,7 +17,7 @@
 //   at 4s lens cover                        or uncover
 //   at 4s camera stall                      or run
 //   at 4s microphone stall                  or run; the same of the loudspeaker
-//   at 4s line go tap                       or on, off; of go, blackout, service, presence
+//   at 4s line go tap                       or on, off; of go, blackout, service, presence, back, panic
 //   at 5s unplug stick-left                 or plug
 // clang-format on
 #pragma once

@@ -211,7 +211,8 @@ void ReadLine(Tokenizer& tokens, std::string_view, Statement& into) {
   const auto* const known = std::ranges::find(kLineNames, name->text);
   if (known == kLineNames.end())
     return tokens.Complain(
-        name->column, fmt::format("no line \"{}\"; lines are go, blackout, service, presence", name->text));
+        name->column,
+        fmt::format("no line \"{}\"; lines are go, blackout, service, presence, back, panic", name->text));
   const auto line = static_cast<int>(known - kLineNames.begin());
   if (tokens.Accept("tap")) return AddTap(DevicePort::kLines, line, into);
   if (tokens.Accept("on")) return AddOne({DevicePort::kLines, Verb::kPush, line, 0, 0}, into);

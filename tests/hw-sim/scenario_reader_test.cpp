@@ -52,6 +52,7 @@ TEST(ScenarioReader, KnowsEveryHand) {
   EXPECT_EQ(one("at 1s lens cover"), (OperatorAction{DevicePort::kCamera, Verb::kCoverLens, 1, 0, 0}));
   EXPECT_EQ(one("at 1s camera run"), (OperatorAction{DevicePort::kCamera, Verb::kStall, 0, 0, 0}));
   EXPECT_EQ(one("at 1s unplug stick-left"), (OperatorAction{DevicePort::kStickLeft, Verb::kUnplug, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s line panic on"), (OperatorAction{DevicePort::kLines, Verb::kPush, 5, 0, 0}));
   EXPECT_EQ(one("at 1s line go on"), (OperatorAction{DevicePort::kLines, Verb::kPush, 0, 0, 0}));
   EXPECT_EQ(one("at 1s line presence off"), (OperatorAction{DevicePort::kLines, Verb::kRelease, 3, 0, 0}));
   EXPECT_EQ(Actions("at 1s line blackout tap").size(), 2U);

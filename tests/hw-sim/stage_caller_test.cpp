@@ -72,6 +72,14 @@ TEST_F(StageCallerTest, BeginsALineCheckAndLocks) {
   EXPECT_EQ(Calls().newest[0].subject, static_cast<std::uint32_t>(board::LineCheckCall::kBegin));
 }
 
+TEST_F(StageCallerTest, BeginsAndEndsMotions) {
+  ASSERT_TRUE(caller_.Call("motion 3 1"));
+  EXPECT_EQ(Calls().newest[0].verb, board::CallVerb::kMotion);
+  EXPECT_EQ(Calls().newest[0].subject, 3U);
+  EXPECT_EQ(Calls().newest[0].value, 1);
+  EXPECT_THAT(Refused("motion 3"), HasSubstr("expected such as motion 3 1"));
+}
+
 TEST_F(StageCallerTest, Teaches) {
   ASSERT_TRUE(caller_.Call("learn 1 8"));
   EXPECT_EQ(Calls().newest[0].verb, board::CallVerb::kLearn);

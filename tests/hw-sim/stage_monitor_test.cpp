@@ -1,6 +1,8 @@
 // What the page is told of the stage, from a board that a stage has written.
 #include "hw-sim/monitor/stage_monitor.h"
 
+#include "hw-sim/monitor/midi_words.h"
+
 #include <gtest/gtest.h>
 
 #include "tests/hw-sim/link_fixture.h"
@@ -49,7 +51,7 @@ TEST_F(Monitored, IsToldAsThePageReadsIt) {
       R"({"scene":3,"style":2,"cue":4,"standby":6,"pending":5,"left_s":1.3,"paused":true,)"
       R"("panicking":false,"black":false,"waiting":true,"refused":7,"sheet":1,"levels":[[0.25,3,2],[0.0,0,0],)"))
       << told;
-  EXPECT_TRUE(told.ends_with(R"("role_devices":[1,0,3,0,0,0,0,0]})")) << told;
+  EXPECT_TRUE(told.ends_with(R"("role_devices":[1,0,3,0,0,0,0,0],"motions":[],"midi":[]})")) << told;
   show_.cue_state = board::kCuesPanicking | board::kCuesBlack;
   EXPECT_NE(ReadInASecond().find(R"("paused":false,"panicking":true,"black":true,"waiting":false)"),
             std::string::npos);
@@ -93,6 +95,36 @@ TEST_F(Monitored, TellsWhatIsLearntInWordsWhileSomebodyTeaches) {
   learn.phase = board::LearnPhase::kEnded;
   writer.Write(learn, clock_.now(), board::SourceState::kLive);
   EXPECT_NE(ReadInASecond().find(R"("learn":null,)"), std::string::npos);
+}
+
+TEST_F(Monitored, TellsWhichMotionsPlayAndSinceWhen) {
+  show_.motions[3] = {.motion = 2, .at_s = 1.26F};
+  show_.motions[5] = {.motion = 0, .at_s = 0.5F, .ends = 1};
+  EXPECT_NE(ReadInASecond().find(R"("motions":[[2,1.2,false],[0,0.5,true]])"), std::string::npos) << Read();
+}
+
+TEST_F(Monitored, TellsTheLastMidiMessagesInWordsWithWhatTheyAreFor) {
+  auto writer = board_.AcquireWriter<board::MidiHeard>().value();
+  board::MidiHeard heard{.count = 18};
+  constexpr std::uint32_t kNone = board::MidiHeard::kNothing;
+  heard.newest[0] = {.device = 0x139700B3, .bytes = 0x4015B0, .meant = 2 | kNone << 8U};
+  heard.newest[1] = {.device = 0x139700B3, .bytes = 0x64249A, .meant = kNone | 4 << 8U};
+  writer.Write(heard, clock_.now(), board::SourceState::kLive);
+  const std::string told = ReadInASecond();
+  EXPECT_NE(told.find(R"("midi":[[2,)"), std::string::npos) << "the oldest that is kept: " << told;
+  EXPECT_TRUE(told.ends_with(R"([16,"1397:00b3","CC 21 = 64",2,-1],)"
+                             R"([17,"1397:00b3","channel 11: note 36 on, velocity 100",-1,4]]})"))
+      << told;
+}
+
+TEST_F(Monitored, SaysEachKindOfMidiMessageInItsWords) {
+  const auto words = [](std::uint32_t bytes) { return WordsOf(board::MidiHeard::Message{.bytes = bytes}); };
+  EXPECT_EQ(words(0x002480), "note 36 off");
+  EXPECT_EQ(words(0x002490), "note 36 off") << "a velocity of 0";
+  EXPECT_EQ(words(0x0524A0), "note 36 pressed 5");
+  EXPECT_EQ(words(0x0005C0), "program 5");
+  EXPECT_EQ(words(0x0005D0), "channel pressed 5");
+  EXPECT_EQ(words(0x4000E0), "pitch bend 8192");
 }
 
 TEST_F(Monitored, IsNothingWhileNoStageDraws) {

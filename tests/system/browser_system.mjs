@@ -11,9 +11,10 @@ const kShows = join(kPrograms, '..', 'shows');
 const kBoxPrograms = ['kaori-input', 'kaori-lips', 'kaori-stage'];
 
 export class BoxSystem {
-  // `size` is that of the screen. A machine without a GPU draws the usual one four times as often as that of a demo.
-  constructor({size = '480x270'} = {}) {
+  // `options` are further ones, by the program. `size` is that of the screen. A machine without a GPU draws the usual one four times as often as that of a demo.
+  constructor({size = '480x270', options = {}} = {}) {
     this.size = size;
+    this.options = options;
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-browser-'));
     this.running = new Map();
     this.port = '0';
@@ -39,7 +40,8 @@ export class BoxSystem {
 
   start(program) {
     const log = openSync(this.file(`${program}.log`), 'a');
-    this.running.set(program, spawn(join(kPrograms, program), this.optionsOf(program), {
+    const options = [...this.optionsOf(program), ...this.options[program] ?? []];
+    this.running.set(program, spawn(join(kPrograms, program), options, {
       stdio: ['ignore', log, log],
       env: {...process.env, XDG_STATE_HOME: this.folder},  // Nobody's own expressions.
     }));

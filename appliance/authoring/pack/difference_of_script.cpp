@@ -44,6 +44,11 @@ std::string Calls(const show::Show& show, const show::Call& call) {
       return fmt::format("sheet {}", call.index + 1);
     case show::CallKind::kMotion:
       return "motion " + NameOf(show.motions, call.index);
+    case show::CallKind::kBlink:
+      return std::string(show::kBlinkNames[call.index % show::kBlinkNames.size()]);
+    case show::CallKind::kGoTo:
+      return call.index < show.cue_list.cues.size() ? "cue " + show.cue_list.cues[call.index].number
+                                                    : "nothing";
   }
   return "nothing";
 }

@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "appliance/core/board/keys.h"
 #include "appliance/core/performance/knobs.h"
+#include "appliance/core/performance/motions.h"
 #include "appliance/core/performance/state.h"
 #include "appliance/core/roles/level_names.h"
+#include "appliance/core/roles/own_buttons.h"
 #include "drivers/base/json.h"
 
 namespace kaori::authoring {
@@ -102,6 +108,10 @@ CallLabel LabelOf(const show::Call& call, const show::Show& show) {
       return labelled(call.index == 0 ? "Sheet 1" : "Sheet 2", "sheet");
     case show::CallKind::kMotion:
       return labelled(Readable(show.motions[call.index].name), "motion");
+    case show::CallKind::kBlink:
+      return labelled(Readable(std::string(show::kBlinkNames[call.index])), "blink");
+    case show::CallKind::kGoTo:
+      return labelled("Cue " + show.cue_list.cues[call.index].number, "cue");
     case show::CallKind::kNothing:
       break;
   }
@@ -170,21 +180,30 @@ json::List CuesJson(const show::CueList& list) {
   return cues;
 }
 
-// As board::Learn counts them: levels that every show has, faces, expressions; calls of the cue list, of faces
-// and of expressions.
+// As board::Learn counts them: levels that every show has, faces, expressions; then what buttons may call.
 json::List TeachableJson(const show::Show& show) {
   json::List levels;
   for (std::size_t i = 0; i < show::kNamedLevels; ++i)
     levels.emplace_back(Readable(std::string(show::kLevels[i].name)));
-  const auto add_items = [&](const char* face_words, const char* expression_words) {
-    for (const face::Face& one : show.cast.faces) levels.emplace_back(face_words + Readable(one.name));
-    for (const face::Expression& one : show.cast.expressions)
-      levels.emplace_back(expression_words + Readable(one.name));
-  };
-  add_items("Face ", "Expression ");
-  for (const char* verb : kCueVerbs) levels.emplace_back(std::string("Call ") + verb);
-  add_items("Call face ", "Call expression ");
+  for (const face::Face& one : show.cast.faces) levels.emplace_back("Face " + Readable(one.name));
+  for (const face::Expression& one : show.cast.expressions)
+    levels.emplace_back("Expression " + Readable(one.name));
+  const std::vector<std::string> calls = roles::TeachableCalls(roles::ItemsOf(show));
+  for (std::size_t i = 0; i < calls.size(); ++i)
+    levels.emplace_back(i < kCueVerbs.size() ? std::string("Call ") + kCueVerbs[i] : Readable("call " + calls[i]));
   return levels;
+}
+
+// What a motion is added to, each once, in the order of MotionTarget.
+std::string MovesOf(const show::Motion& motion) {
+  constexpr std::array<const char*, show::kMotionTargetCount> kParts{"head", "head", "head",        "gaze",
+                                                                     "gaze", "lids", "expressions", "head"};
+  std::vector<std::string_view> parts;
+  for (const show::MotionCurve& curve : motion.curves) {
+    const std::string_view part = kParts[static_cast<std::size_t>(curve.target)];
+    if (std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -220,6 +239,19 @@ json::List RolesJson(const show::Roles& roles) {
   return names;
 }
 
+// In the show's order, by which the stage counts.
+json::List MotionsJson(const show::Show& show) {
+  json::List motions;
+  for (const show::Motion& motion : show.motions)
+    motions.push_back(json::Object{{"text", Readable(motion.name)},
+                                   {"length_s", Short(performance::EndOf(motion))},
+                                   {"loops", motion.Loops()},
+                                   {"take", motion.recorded},
+                                   {"sound", !motion.sound.samples.empty()},
+                                   {"moves", MovesOf(motion)}});
+  return motions;
+}
+
 std::string LabelsJson(const show::Show& show) {
   json::List scenes;
   for (const show::StageScene& scene : show.scenes) scenes.emplace_back(Readable(scene.name));
@@ -235,7 +267,8 @@ std::string LabelsJson(const show::Show& show) {
                             {"levels", LevelsJson(show)},
                             {"roles", RolesJson(show.roles)},
                             {"devices", json::ListOf(show::kDeviceNames)},
-                            {"teachable", TeachableJson(show)}};
+                            {"teachable", TeachableJson(show)},
+                            {"motions", MotionsJson(show)}};
   // A name that is not UTF-8 is shown with replacement characters.
   return json::Write(labels, 1) + '\n';
 }

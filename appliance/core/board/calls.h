@@ -14,7 +14,7 @@ namespace kaori::board {
 
 // Who writes calls, each a section of its own.
 enum class CallWriter : std::uint32_t {
-  kInput,    // kaori-input: the foot switch.
+  kInput,    // kaori-input: the foot switch, and the lines for BACK and PANIC.
   kControl,  // Whoever plays the box from a page or a network; in the demo its page.
 };
 inline constexpr std::size_t kCallWriters = 2;
@@ -31,10 +31,12 @@ enum class CallVerb : std::uint32_t {
   kLock,      // `subject` is 1: the show is locked (ShowNow::locked). No call unlocks it: 0 is refused.
   kLineCheck,  // `subject` is a LineCheckCall. The stage itself hears it, and the show does not.
   kLearn,      // `subject` is a LearnCall (learn.h), `value` as it says. The stage itself hears it too.
+  kMotion,  // `subject` is a motion of the show's; `value` 1: it begins, anew where it plays; 0: it ends softly.
 };
-inline constexpr std::uint32_t kCallVerbCount = 9;
+inline constexpr std::uint32_t kCallVerbCount = 10;
 enum class LineCheckCall : std::uint32_t { kEnd, kBegin, kLampsWereLit };
-inline constexpr std::uint32_t kCallGo = 0;  // The subject of GO: writers know no show.
+// The subjects of GO, BACK and PANIC: writers know no show.
+inline constexpr std::uint32_t kCallGo = 0, kCallBack = 1, kCallPanic = 4;
 
 // By which control a person called.
 enum class CallSource : std::uint32_t { kFootSwitch, kPage };

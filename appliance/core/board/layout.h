@@ -31,6 +31,7 @@ enum class Section : std::uint32_t {
   kMotionNow,
   kLipsGuide,
   kDesk,
+  kMidiHeard,
   kLamps,
   kStageStatus,
   kShowNow,
@@ -39,7 +40,7 @@ enum class Section : std::uint32_t {
   kShowsMenu,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 21;
+inline constexpr std::size_t kSectionCount = 22;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
@@ -96,6 +97,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"motion_now", ValueWords<MotionNow>()},
                                                   {"lips_guide", ValueWords<LipsGuide>()},
                                                   {"desk", ValueWords<Desk>()},
+                                                  {"midi_heard", ValueWords<MidiHeard>()},
                                                   {"lamps", ValueWords<Lamps>()},
                                                   {"stage_status", ValueWords<StageStatus>()},
                                                   {"show_now", ValueWords<ShowNow>()},
@@ -147,6 +149,7 @@ constexpr Section SectionOf(int which) {
     return which == 0 ? Section::kCallsOfInput : Section::kCallsOfControl;
   if constexpr (std::is_same_v<T, Pointer>) return Section::kPointer;
   if constexpr (std::is_same_v<T, Lips>) return Section::kLips;
+  if constexpr (std::is_same_v<T, MidiHeard>) return Section::kMidiHeard;
   if constexpr (std::is_same_v<T, Lamps>) return Section::kLamps;
   if constexpr (std::is_same_v<T, Voice>) return Section::kVoice;
   if constexpr (std::is_same_v<T, Sound>) return Section::kSound;

@@ -32,7 +32,7 @@ struct Learn {
   static constexpr const char* kName = "learn";
   LearnPhase phase = LearnPhase::kNever;
   // What is taught, counted from 0: levels that every show has (show::Level), then the show's faces and its
-  // expressions as levels; then what buttons may call: show::CueVerb, faces, expressions.
+  // expressions as levels; then what buttons may call (roles::TeachableCalls).
   std::uint32_t choice = 0;
   CheckedItem found{};          // The control, from kFound on: an axis or a dial; of a call a button.
   std::uint32_t inverted = 0;   // 1: its lower end is the level's upper one.

@@ -12,7 +12,8 @@ namespace {
 // In the order of show::Control and board::Line; what a kind of one item alone is called inside its device is
 // nothing.
 constexpr std::array<std::string_view, 6> kAxisNames{"x", "y", "twist", "hat x", "hat y", "slider"};
-constexpr std::array<std::string_view, 4> kSwitchNames{"GO", "blackout", "service key", "presence"};
+constexpr std::array<std::string_view, 6> kSwitchNames{"GO",       "blackout", "service key",
+                                                       "presence", "BACK",     "PANIC"};
 constexpr std::array<std::string_view, kCheckedStateCount> kStateNames{
     "not plugged in", "noisy", "stuck", "short way", "not yet seen", "seen"};
 
@@ -21,8 +22,13 @@ std::string_view NameAt(const std::array<std::string_view, kCount>& names, std::
   return number < kCount ? names[number] : "unknown";
 }
 
-bool IsNumbered(CheckedKind kind) {
-  return kind == CheckedKind::kDial || kind == CheckedKind::kButton;
+// Of the sticks, which are devices 0 and 1; a dial box is told of with all its dials and buttons together.
+bool IsOfStick(const CheckedItem& item) {
+  return item.device < 2;
+}
+
+bool IsNumbered(const CheckedItem& item) {
+  return item.kind == CheckedKind::kDial || (item.kind == CheckedKind::kButton && !IsOfStick(item));
 }
 
 // Within its device. Devices of one item are their own name.
@@ -81,7 +87,7 @@ std::string Ranges(const std::vector<std::uint32_t>& numbers) {
 std::string Together(std::span<const CheckedItem> items, CheckedKind kind, CheckedState state) {
   std::vector<std::uint32_t> numbers;
   for (const CheckedItem& item : items)
-    if (item.kind == kind && item.state == state) numbers.push_back(item.number);
+    if (item.kind == kind && IsNumbered(item) && item.state == state) numbers.push_back(item.number);
   if (numbers.empty()) return {};
   const char* const name = kind == CheckedKind::kDial ? "dial" : "button";
   return fmt::format("{}{} {} {}", name, numbers.size() > 1 ? "s" : "", Ranges(numbers),
@@ -123,8 +129,9 @@ std::string_view DeviceOf(const CheckedItem& item) {
   switch (item.kind) {
     case CheckedKind::kAxis:
       return item.device == 0 ? "left stick" : "right stick";
-    case CheckedKind::kDial:
     case CheckedKind::kButton:
+      return item.device == 0 ? "left stick" : item.device == 1 ? "right stick" : "dial box";
+    case CheckedKind::kDial:
     case CheckedKind::kLamps:
       return "dial box";
     case CheckedKind::kSwitch:
@@ -166,8 +173,9 @@ std::string PhrasesOf(const LineCheck& check, std::string_view device, bool fail
     const bool ranges = state == CheckedState::kShort || state == CheckedState::kSeen;
     for (const CheckedItem& item : items) {
       if (item.state != state || IsAllGone(item) || (!all && DeviceOf(item) != device)) continue;
-      if (IsNumbered(item.kind) && !(ranges && item.kind == CheckedKind::kDial)) continue;
-      const bool named = all && (item.kind == CheckedKind::kAxis || PartOf(item).empty());
+      if (IsNumbered(item) && !(ranges && item.kind == CheckedKind::kDial)) continue;
+      const bool named = all && (item.kind == CheckedKind::kAxis || item.kind == CheckedKind::kButton ||
+                                 PartOf(item).empty());
       Add(text, named ? std::string(DeviceOf(item)) + " " + PhraseOf(item) : PhraseOf(item));
     }
     if (!box || state == CheckedState::kMissing) continue;

@@ -56,7 +56,7 @@ enum class LineCheckPhase : std::uint32_t { kNever, kRunning, kEnded };
 //   stale    never written so; a check that runs and is silent ended with its stage
 struct LineCheck {
   static constexpr const char* kName = "line_check";
-  static constexpr std::size_t kMostItems = 80;
+  static constexpr std::size_t kMostItems = 112;
   LineCheckPhase phase = LineCheckPhase::kNever;
   std::uint32_t count = 0;  // Of the items that are in use.
   std::array<CheckedItem, kMostItems> items{};

@@ -38,4 +38,10 @@ inline void NotePress(Keys& keys, std::size_t usage, Time at) {
   Append(keys.log, CodeOf(keys.down, usage), at);
 }
 
+// Counts a button of a stick that went down at `at`. `button` is below 16.
+inline void NotePress(Stick& stick, std::size_t button, Time at) {
+  ++stick.pushes[button];
+  Append(stick.log, static_cast<std::uint32_t>(button), at);
+}
+
 }  // namespace kaori::board

@@ -75,6 +75,7 @@ struct Stick {
   // pushes.
   std::uint32_t buttons_down = 0;
   std::array<std::uint32_t, 16> pushes{};
+  PressLog log{};  // Of the same pushes; codes are below 16.
   // A hash of the name of the port where it is plugged in (programs/input/stick_roles.h), so that a restart
   // of kaori-input gives the stick the same role. 0: it was nowhere yet.
   std::uint32_t port = 0;
@@ -108,7 +109,7 @@ struct Pointer {
 };
 
 // A bit for each line that lines.h names.
-inline constexpr std::uint32_t kEveryLine = 0xF;
+inline constexpr std::uint32_t kEveryLine = 0x3F;
 
 // GPIO lines, numbered as in lines.h.
 //   writer   kaori-input, at each edge of a line, once it no longer bounces
@@ -209,6 +210,26 @@ struct Desk {
   std::uint32_t port = 0;         // 0 .. 65535.
   std::uint32_t secure = 0;       // 1: HTTPS.
   std::uint32_t certificate = 0;  // The first four bytes of its SHA-256, big-endian; 0 without HTTPS.
+};
+
+// The last messages of the MIDI devices, for people who want to know what a surface sends.
+//   writer   kaori-input, when messages have come
+//   readers  who shows it to people: in the demo its page
+//   stale    never written so
+struct MidiHeard {
+  static constexpr const char* kName = "midi_heard";
+  static constexpr std::size_t kKept = 16;  // A power of two, so that `count` may wrap.
+  static constexpr std::uint32_t kNothing = 0xFF;
+  struct Message {
+    std::uint32_t at_ms = 0;   // On CLOCK_MONOTONIC; wraps after 49 days.
+    std::uint32_t device = 0;  // Vendor and product of the USB device, the vendor in the upper half.
+    // Status, number and value as they came, in bits 0 to 23; a note-on of velocity 0 is one here too.
+    std::uint32_t bytes = 0;
+    // What it was for: in bits 0 to 7 the board's dial, in bits 8 to 15 its button; kNothing: none.
+    std::uint32_t meant = kNothing | kNothing << 8U;
+  };
+  std::uint32_t count = 0;              // Messages since the board began; wraps.
+  std::array<Message, kKept> newest{};  // Message n, counted from 0, lies in newest[n % kKept].
 };
 
 // The lamps in the buttons of the control surface.

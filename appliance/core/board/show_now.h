@@ -30,6 +30,13 @@ inline constexpr std::uint32_t kLobbyStateCount = 7;
 enum class LobbyHours : std::uint32_t { kNone, kOpen, kShut, kClockUnknown };
 inline constexpr std::uint32_t kLobbyHoursCount = 4;
 
+// A registered motion or a take that plays.
+struct MotionShown {
+  std::int32_t motion = -1;  // Of the show's motions; -1: none.
+  float at_s = 0;            // From its beginning.
+  std::uint32_t ends = 0;    // 1: it is on its way out.
+};
+
 // One level in one frame. `role` says something only where kRole is the owner, and lies below
 // kMostRoles all the same.
 struct LevelShown {
@@ -43,7 +50,7 @@ struct LevelShown {
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct ShowNow {
   static constexpr const char* kName = "show_now";
-  static constexpr std::size_t kMostLevels = 32, kMostRoles = 8;
+  static constexpr std::size_t kMostLevels = 32, kMostRoles = 8, kMostMotions = 8;
   // When the act of the active cue began, or the list where it has no acts; Time{}: it has not, or nobody
   // knows.
   Time act_began{};
@@ -65,6 +72,7 @@ struct ShowNow {
   std::array<LevelShown, kMostLevels> levels{};  // In the order of show::Level.
   // By the show's roles: the show::Device from which each is played; one more than the last: nobody plays it.
   std::array<std::uint32_t, kMostRoles> role_devices{};
+  std::array<MotionShown, kMostMotions> motions{};  // Those that play, in no order.
   LobbyState lobby{};
   LobbyHours lobby_hours{};
 };

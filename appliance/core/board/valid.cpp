@@ -51,7 +51,8 @@ bool Valid(const Surface& surface) {
 bool Valid(const Stick& stick) {
   return Within(stick.x, -1, 1) && Within(stick.y, -1, 1) && Within(stick.twist, -1, 1) &&
          Within(stick.slider, 0, 1) && stick.hat >= -1 && stick.hat <= 7 &&
-         std::ranges::all_of(stick.centres, [](float centre) { return Within(centre, -1, 1); });
+         std::ranges::all_of(stick.centres, [](float centre) { return Within(centre, -1, 1); }) &&
+         HasCodes(stick.log, static_cast<std::uint32_t>(stick.pushes.size()));
 }
 
 // A code has the usage in its lower byte and the modifiers in the next one: 16 bits.
@@ -112,6 +113,11 @@ bool Valid(const Desk& desk) {
          desk.secure <= 1;
 }
 
+// Dials and buttons are looked up by whoever tells of them, who passes over those that there are not.
+bool Valid(const MidiHeard& /*any bytes may have come*/) {
+  return true;
+}
+
 bool Valid(const Lamps& /*any bits are lamps*/) {
   return true;
 }
@@ -127,7 +133,11 @@ bool Valid(const StageStatus& status) {
 
 // Roles are indices into role_devices. Cues and devices are for who knows the show.
 bool Valid(const ShowNow& show) {
+  const auto possible = [](const MotionShown& one) {
+    return one.motion >= -1 && one.ends <= 1 && Within(one.at_s, 0, kLongestMotion_s);
+  };
   return Valid(show.act_began) && Within(show.cue_left_s, 0, kMaxFigure) && show.locked <= 1 &&
+         std::ranges::all_of(show.motions, possible) &&
          static_cast<std::uint32_t>(show.lobby) < kLobbyStateCount &&
          static_cast<std::uint32_t>(show.lobby_hours) < kLobbyHoursCount &&
          std::ranges::all_of(show.levels, [](const LevelShown& level) {

@@ -20,6 +20,7 @@ bool Valid(const Sound& sound);
 bool Valid(const MotionNow& motion);
 bool Valid(const LipsGuide& guide);
 bool Valid(const Desk& desk);
+bool Valid(const MidiHeard& heard);
 bool Valid(const Lamps& lamps);
 bool Valid(const StageStatus& status);
 bool Valid(const ShowNow& show);

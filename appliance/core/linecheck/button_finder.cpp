@@ -13,11 +13,30 @@ using namespace std::chrono_literals;
 constexpr Duration kLooksForButtons = 500ms;
 constexpr std::uint32_t kMostPushes = 3;  // Within that time, by a person who makes sure.
 
+constexpr std::size_t kBox = show::kButtonCount, kStick = show::kStickButtonCount;
+
+// Numbered within its device.
 CheckedItem ButtonItem(std::size_t button) {
+  const show::Device device = button < kBox            ? show::Device::kDialBox
+                              : button < kBox + kStick ? show::Device::kLeftStick
+                                                       : show::Device::kRightStick;
   return {.kind = board::CheckedKind::kButton,
-          .device = static_cast<std::uint32_t>(show::Device::kDialBox),
-          .number = static_cast<std::uint32_t>(button),
+          .device = static_cast<std::uint32_t>(device),
+          .number = static_cast<std::uint32_t>(button < kBox ? button : (button - kBox) % kStick),
           .state = board::CheckedState::kSeen};
+}
+
+// How a button stands on the board.
+struct ButtonNow {
+  std::uint32_t pushes = 0;
+  bool is_down = false;
+};
+ButtonNow NowOf(const board::Snapshot& board, std::size_t button) {
+  const auto of = [](const auto& device, std::size_t n) {
+    return ButtonNow{device.pushes[n], (device.buttons_down >> n & 1U) != 0};
+  };
+  if (button < kBox) return of(board.surface.value, button);
+  return of(board.sticks[(button - kBox) / kStick].value, (button - kBox) % kStick);
 }
 
 }  // namespace
@@ -25,18 +44,19 @@ CheckedItem ButtonItem(std::size_t button) {
 void ButtonFinder::Begin(const board::Snapshot& board, Time now) {
   *this = {};
   changed_at_ = now;
-  const board::Surface& surface = board.surface.value;
-  for (std::size_t n = 0; n < contacts_.size(); ++n)
-    contacts_[n].Begin(surface.pushes[n], (surface.buttons_down >> n & 1U) != 0, now);
+  for (std::size_t n = 0; n < contacts_.size(); ++n) {
+    const auto [pushes, is_down] = NowOf(board, n);
+    contacts_[n].Begin(pushes, is_down, now);
+  }
 }
 
 // Buttons that were held when it began are let go without having been pushed: the count of pushes tells, not
 // the state. A box that is unplugged lets go of all.
 void ButtonFinder::Look(const board::Snapshot& board, Time now) {
-  const board::Surface& surface = board.surface.value;
   bool pushed = false;
   for (std::size_t n = 0; n < contacts_.size(); ++n) {
-    contacts_[n].Follow(surface.pushes[n], (surface.buttons_down >> n & 1U) != 0, now);
+    const auto [pushes, is_down] = NowOf(board, n);
+    contacts_[n].Follow(pushes, is_down, now);
     noisy_[n] = noisy_[n] || contacts_[n].noisy();
     pushed = pushed || PushesOf(n) != 0;
   }

@@ -14,7 +14,7 @@
 
 namespace kaori::linecheck {
 
-// Looks at the buttons of the dial box. The first push begins half a second of looking; the button is found
+// Looks at the buttons of the dial box and of both sticks. The first push begins half a second of looking; the button is found
 // when no other one was pushed in it, and it not more than three times. One that chatters as no finger does
 // counts for nothing. The search goes on. One thread; time is an argument and does not go back. Allocates nothing.
 class ButtonFinder {
@@ -39,9 +39,9 @@ class ButtonFinder {
   }
   void Decide(Time now);
 
-  std::array<Contact, show::kButtonCount> contacts_{};
-  std::array<bool, show::kButtonCount> noisy_{};             // Since it began.
-  std::array<std::uint32_t, show::kButtonCount> decided_{};  // Pushes of which it was decided.
+  std::array<Contact, show::kAllButtonCount> contacts_{};
+  std::array<bool, show::kAllButtonCount> noisy_{};             // Since it began.
+  std::array<std::uint32_t, show::kAllButtonCount> decided_{};  // Pushes of which it was decided.
   std::optional<Time> decides_at_;
   std::optional<board::CheckedItem> found_;
   bool ambiguous_ = false;

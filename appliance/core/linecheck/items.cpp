@@ -12,7 +12,7 @@ using board::CheckedItem;
 using board::CheckedKind;
 
 // All that there can be: axes of two sticks, dials, buttons, switches, five that are one each, and screens.
-static_assert(2 * show::kControlCount + 8 + show::kButtonCount + board::kLineCount + 5 + kMostScreens <=
+static_assert(2 * show::kControlCount + 8 + show::kAllButtonCount + board::kLineCount + 5 + kMostScreens <=
               board::LineCheck::kMostItems);
 
 void Add(board::LineCheck& check, CheckedKind kind, std::uint32_t device, std::size_t number) {
@@ -52,6 +52,10 @@ void AddButtons(board::LineCheck& check, const show::Show& show) {
     Add(check, CheckedKind::kButton, static_cast<std::uint32_t>(show::Device::kDialBox), i);
     any = true;
   }
+  for (std::size_t i = 0; i < show.stick_buttons.size(); ++i)
+    if (calls(show.stick_buttons[i]))
+      Add(check, CheckedKind::kButton, static_cast<std::uint32_t>(i / show::kStickButtonCount),
+          i % show::kStickButtonCount);
   if (any) Add(check, CheckedKind::kLamps, static_cast<std::uint32_t>(show::Device::kDialBox), 0);
 }
 

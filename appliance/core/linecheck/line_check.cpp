@@ -27,12 +27,18 @@ constexpr Duration kNeverQuiet = 15s;  // Longer than anybody speaks in one brea
 constexpr std::uint32_t kMostXruns = 5;
 constexpr Duration kLampTime = 200ms;
 
+// Of a button: those of the sticks have no lamps.
+bool IsOfStick(const CheckedItem& item) {
+  return item.device < static_cast<std::uint32_t>(show::Device::kDialBox);
+}
+
 SourceState SourceOf(const CheckedItem& item, const View& view) {
   switch (item.kind) {
     case CheckedKind::kAxis:
     case CheckedKind::kDial:
       return SourceOfWay(item, view.board);
     case CheckedKind::kButton:
+      return IsOfStick(item) ? view.board.sticks[item.device].source : view.board.surface.source;
     case CheckedKind::kLamps:
       return view.board.surface.source;
     case CheckedKind::kSwitch:
@@ -58,6 +64,10 @@ struct ContactNow {
 
 // The keyboard is one contact: any key will do.
 ContactNow ContactOf(const CheckedItem& item, const View& view) {
+  if (item.kind == CheckedKind::kButton && IsOfStick(item)) {
+    const board::Stick& stick = view.board.sticks[item.device].value;
+    return {stick.pushes[item.number], (stick.buttons_down >> item.number & 1U) != 0};
+  }
   if (item.kind == CheckedKind::kButton) {
     const board::Surface& surface = view.board.surface.value;
     return {surface.pushes[item.number], (surface.buttons_down >> item.number & 1U) != 0};
@@ -70,9 +80,9 @@ ContactNow ContactOf(const CheckedItem& item, const View& view) {
   return {keys.log.count, std::ranges::any_of(keys.down, [](std::uint32_t word) { return word != 0; })};
 }
 
-// A switch that stays where it is put may be on all evening.
+// A switch that stays where it is put may be on all evening; those that call something are pushed and let go.
 bool StaysDown(const CheckedItem& item) {
-  return item.kind == CheckedKind::kSwitch && item.number != static_cast<std::uint32_t>(board::Line::kGo);
+  return item.kind == CheckedKind::kSwitch && !board::CueCallOf(static_cast<board::Line>(item.number));
 }
 
 bool IsServiceKey(const CheckedItem& item) {
@@ -219,7 +229,7 @@ void LineCheck::ConfirmLamps(Time now) {
 std::uint32_t LineCheck::lamps(Time now) const {
   std::uint32_t all = 0, unseen = 0;
   for (const CheckedItem& item : board::ItemsOf(result_)) {
-    if (item.kind != CheckedKind::kButton) continue;
+    if (item.kind != CheckedKind::kButton || IsOfStick(item)) continue;
     all |= 1U << item.number;
     if (item.state != CheckedState::kSeen) unseen |= 1U << item.number;
   }

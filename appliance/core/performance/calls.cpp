@@ -15,8 +15,10 @@ namespace {
 
 namespace key = board::key;
 
-// kaori-input knows no show, and makes GO of a foot switch by this number alone.
+// kaori-input knows no show, and makes calls of its lines by these numbers alone.
 static_assert(static_cast<std::uint32_t>(show::CueVerb::kGo) == board::kCallGo);
+static_assert(static_cast<std::uint32_t>(show::CueVerb::kBack) == board::kCallBack);
+static_assert(static_cast<std::uint32_t>(show::CueVerb::kPanic) == board::kCallPanic);
 
 // A fresh call takes over whole, whatever its dial said about the one before. The mixture keeps the old
 // dial's share as its beginning, so that the change of the dial is not seen either.
@@ -40,6 +42,12 @@ void CallMotion(State& state, const show::Show& show, std::int32_t motion) {
     EndMotions(state);
   else
     PlayMotion(state, motion);
+}
+
+// The character's eyes, of which the left one lies on the right of the picture.
+void CallBlink(State& state, show::Blink which) {
+  if (which != show::Blink::kLeft) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
+  if (which != show::Blink::kRight) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
 }
 
 // Faces and expressions fade as they say themselves; those that say nothing, and styles, as long as the Fade
@@ -75,6 +83,12 @@ void Obey(State& state, const show::Call& call, std::uint16_t control, const sho
     case show::CallKind::kMotion:
       CallMotion(state, show, call.index);
       break;
+    case show::CallKind::kBlink:
+      CallBlink(state, static_cast<show::Blink>(call.index));
+      break;
+    case show::CallKind::kGoTo:
+      GoToCue(state, show, call.index);
+      break;
   }
 }
 
@@ -85,8 +99,9 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show, float ago
     if (key.key_usage == usage && !IsLockedOut(state, key.call))
       Obey(state, key.call, static_cast<std::uint16_t>(kFirstKeyControl + usage), show, ago_s);
   if (state.locked != 0) return;
-  if (usage == key::kSpace || usage == key::kX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
-  if (usage == key::kSpace || usage == key::kZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
+  if (usage == key::kSpace) CallBlink(state, show::Blink::kBoth);
+  if (usage == key::kX) CallBlink(state, show::Blink::kRight);
+  if (usage == key::kZ) CallBlink(state, show::Blink::kLeft);
   for (std::size_t i = 0; i < show.motions.size(); ++i)
     if (show.motions[i].key_usage == usage) CallMotion(state, show, static_cast<int>(i));
   for (std::size_t i = 0; i < show.scenes.size(); ++i)
@@ -127,6 +142,15 @@ bool HandleCueCall(State& state, const board::Call& call, const show::Show& show
   return true;
 }
 
+// A motion that plays begins anew, as a cue's does; one that does not is no fault to end.
+bool CallMotionFromAfar(State& state, const board::Call& call, const show::Show& show) {
+  if (call.subject >= show.motions.size()) return false;
+  const auto motion = static_cast<std::int32_t>(call.subject);
+  EndMotion(state, motion);
+  if (call.value > 0) PlayMotion(state, motion);
+  return true;
+}
+
 // False where the show has not what is called.
 bool Handle(State& state, const board::Call& call, const show::Show& show, float ago_s) {
   const auto level = static_cast<show::Level>(call.subject);
@@ -150,6 +174,8 @@ bool Handle(State& state, const board::Call& call, const show::Show& show, float
     case board::CallVerb::kLoadRole:
       return call.value >= 0 && call.value <= kNoDevice &&
              LoadRole(state, show.roles, call.subject, static_cast<std::uint32_t>(call.value));
+    case board::CallVerb::kMotion:
+      return CallMotionFromAfar(state, call, show);
     case board::CallVerb::kLock:
       if (call.subject == 1) Lock(state);
       if (call.subject == 0 && state.locked != 0) NoteLockedOut(state, nullptr);

@@ -1,7 +1,10 @@
 #include "appliance/core/performance/input_events.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+
+#include "appliance/core/show/call.h"
 
 namespace kaori::performance {
 namespace {
@@ -51,6 +54,9 @@ void Adopt(SeenInput& seen, const board::Snapshot& board) {
   }
   if (IsThere(board.keys) && std::exchange(seen.keys_unknown, 0) != 0)
     seen.key_presses = board.keys.value.log.count;
+  for (std::size_t i = 0; i < board.sticks.size(); ++i)
+    if (IsThere(board.sticks[i]) && std::exchange(seen.sticks_unknown[i], 0) != 0)
+      seen.stick_presses[i] = board.sticks[i].value.log.count;
   if (IsThere(board.pointer) && std::exchange(seen.pointer_unknown, 0) != 0)
     seen.pointer = board.pointer.value;
 }
@@ -93,21 +99,33 @@ InputEvents::Pointer PointerEvents(const board::Pointer& before, const board::Po
 }  // namespace
 
 // Buttons and keys are merged by the time of each. Two keys typed within one frame thus keep their order, and
-// so do a key and a button of different devices. On equal times the button comes first, which is of no
+// so do a key and a button of different devices. On equal times the dial box comes first, which is of no
 // account.
 void InputEvents::AddPresses(SeenInput& seen, const board::Snapshot& board) {
   const PressLog& button_log = board.surface.value.log;
   const PressLog& key_log = board.keys.value.log;
-  LogReader buttons(button_log, IsThere(board.surface) ? seen.button_presses : button_log.count);
-  LogReader keys(key_log, IsThere(board.keys) ? seen.key_presses : key_log.count);
-  while (!buttons.empty() || !keys.empty()) {
-    const bool key = buttons.empty() || (!keys.empty() && IsEarlier(keys.front(), buttons.front()));
-    const PressLog::Press& press = key ? keys.Next() : buttons.Next();
-    presses_[count_++] = {key ? Press::Source::kKey : Press::Source::kButton,
-                          static_cast<std::uint8_t>(press.code & 0xFFU), (press.code & kShifts) != 0,
-                          press.at_us};
+  const PressLog &left_log = board.sticks[0].value.log, &right_log = board.sticks[1].value.log;
+  constexpr std::uint32_t kLeft = show::kButtonCount, kRight = kLeft + show::kStickButtonCount;
+  std::array<LogReader, 4> readers{
+      LogReader(button_log, IsThere(board.surface) ? seen.button_presses : button_log.count),
+      LogReader(key_log, IsThere(board.keys) ? seen.key_presses : key_log.count),
+      LogReader(left_log, IsThere(board.sticks[0]) ? seen.stick_presses[0] : left_log.count),
+      LogReader(right_log, IsThere(board.sticks[1]) ? seen.stick_presses[1] : right_log.count)};
+  constexpr std::array<std::uint32_t, 4> kFirstCodes{0, 0, kLeft, kRight};
+  while (true) {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < readers.size(); ++i)
+      if (!readers[i].empty() && (!first || IsEarlier(readers[i].front(), readers[*first].front())))
+        first = i;
+    if (!first) break;
+    const PressLog::Press& press = readers[*first].Next();
+    presses_[count_++] = {*first == 1 ? Press::Source::kKey : Press::Source::kButton,
+                          static_cast<std::uint8_t>((press.code & 0xFFU) + kFirstCodes[*first]),
+                          (press.code & kShifts) != 0, press.at_us};
   }
   if (IsThere(board.surface)) seen.button_presses = button_log.count;
+  if (IsThere(board.sticks[0])) seen.stick_presses[0] = left_log.count;
+  if (IsThere(board.sticks[1])) seen.stick_presses[1] = right_log.count;
   if (IsThere(board.keys)) seen.key_presses = key_log.count;
 }
 
@@ -133,6 +151,7 @@ SeenInput SeenOn(const board::Snapshot& board) {
   SeenInput seen{.dials = board.surface.value.counts,
                  .button_presses = board.surface.value.log.count,
                  .key_presses = board.keys.value.log.count,
+                 .stick_presses = {board.sticks[0].value.log.count, board.sticks[1].value.log.count},
                  .pointer = board.pointer.value};
   for (std::size_t i = 0; i < board.calls.size(); ++i) NoteSeen(board.calls[i].value, seen, i);
   return seen;
@@ -156,6 +175,7 @@ InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board) {
 
 void ForgetCounters(SeenInput& seen) {
   seen.surface_unknown = seen.keys_unknown = seen.pointer_unknown = 1;
+  seen.sticks_unknown = {1, 1};
   seen.calls_unknown = (1U << board::kCallWriters) - 1;
 }
 

@@ -17,10 +17,10 @@
 
 namespace kaori::performance {
 
-// A button of the control surface or a key that went down.
+// A button of the control surface or of a stick, or a key, that went down.
 struct Press {
   enum class Source : std::uint8_t { kButton, kKey } source = Source::kButton;
-  std::uint8_t code = 0;    // The button's number, or the key's usage of HID page 7.
+  std::uint8_t code = 0;    // The button's number (show::kAllButtonCount), or the key's usage of HID page 7.
   bool shift = false;       // Of a key: a Shift key was held with it.
   std::uint32_t at_us = 0;  // As PressLog::Press has it.
 
@@ -33,11 +33,13 @@ struct SeenInput {
   std::array<std::int32_t, 8> dials{};
   std::uint32_t button_presses = 0;
   std::uint32_t key_presses = 0;
+  std::array<std::uint32_t, 2> stick_presses{};
   std::array<std::uint32_t, board::kCallWriters> calls{};
   board::Pointer pointer;
   // 1: the counters above are of another board. What the section shows next is taken as seen; of
   // calls_unknown, a bit for each writer, what is newer than `called_at`.
   std::uint8_t surface_unknown = 0, keys_unknown = 0, calls_unknown = 0, pointer_unknown = 0;
+  std::array<std::uint8_t, 2> sticks_unknown{};
   // When the newest call of each writer was made that was told of. Counters begin anew on another board, and
   // times do not.
   std::array<Time, board::kCallWriters> called_at{};
@@ -46,8 +48,8 @@ struct SeenInput {
 // The events of one frame. A plain value without memory of its own; one thread.
 class InputEvents {
  public:
-  // Both logs whole: more presses than they keep cannot be told of.
-  static constexpr std::size_t kMostPresses = 2 * board::PressLog::kKept;
+  // All logs whole, of dial box, keyboard and both sticks: more presses than they keep cannot be told of.
+  static constexpr std::size_t kMostPresses = 4 * board::PressLog::kKept;
 
   // All logs of calls whole.
   static constexpr std::size_t kMostCalls = board::kCallWriters * board::Calls::kKept;

@@ -66,6 +66,12 @@ bool IsDown(const board::Snapshot& board, std::uint16_t control) {
   if (control >= kFirstKeyControl)
     return board.keys.source == board::SourceState::kLive &&
            board::IsDown(board.keys.value, static_cast<std::uint8_t>(control - kFirstKeyControl));
+  if (control >= show::kButtonCount) {
+    const unsigned at = control - unsigned{show::kButtonCount};
+    const auto& stick = board.sticks[at / show::kStickButtonCount];
+    return stick.source == board::SourceState::kLive &&
+           (stick.value.buttons_down >> at % show::kStickButtonCount & 1U) != 0;
+  }
   return board.surface.source == board::SourceState::kLive &&
          (board.surface.value.buttons_down >> control & 1U) != 0;
 }
@@ -151,6 +157,7 @@ std::size_t SheetOf(const State& state) {
 }
 
 const show::Call& ButtonOf(const State& state, const show::Show& show, std::size_t button) {
+  if (button >= show.buttons.size()) return show.stick_buttons[button - show.buttons.size()];
   return SheetOf(state) == 0 ? show.buttons[button] : show.second_buttons[button];
 }
 

@@ -28,7 +28,7 @@ struct Kept {
   float progress = 1;
   float duration_s = 0;
 };
-inline constexpr std::uint16_t kFirstKeyControl = show::kButtonCount;
+inline constexpr std::uint16_t kFirstKeyControl = show::kAllButtonCount;
 
 // Its weight now, 0..1.
 float WeightOf(const Kept& kept);
@@ -61,7 +61,8 @@ face::Terms WithKept(const State& state, const show::Show& show, show::CallKind 
 // Which of the two sheets the buttons have now.
 std::size_t SheetOf(const State& state);
 
-// What the button calls on the sheet that is there.
+// What the button calls, on the sheet that is there where it is one of the dial box. `button` is below
+// show::kAllButtonCount.
 const show::Call& ButtonOf(const State& state, const show::Show& show, std::size_t button);
 
 }  // namespace kaori::performance

@@ -28,13 +28,15 @@ Lamp LampOfMixture(const Mixture& mixture, std::uint16_t index) {
   return mixture.progress < 1 ? Lamp::kBreathing : Lamp::kLit;
 }
 
-// BACK and STOP happen at once and leave nothing to show.
-Lamp LampOfCue(const State& state, show::CueVerb verb) {
+// GO is lit while a cue stands by, and dark when the list is over. BACK and STOP happen at once and leave nothing
+// to show.
+Lamp LampOfVerb(const State& state, show::CueVerb verb, const show::Show& show) {
   const CueRun& run = state.cue_run;
   const auto lit = [](bool on) { return on ? Lamp::kLit : Lamp::kOff; };
   switch (verb) {
     case show::CueVerb::kGo:
-      return run.pending >= 0 ? Lamp::kBlinking : Lamp::kOff;
+      if (run.pending >= 0) return Lamp::kBlinking;
+      return lit(run.standby >= 0 && run.standby < static_cast<std::int32_t>(show.cue_list.cues.size()));
     case show::CueVerb::kPause:
       return lit(run.paused != 0);
     case show::CueVerb::kPanic:
@@ -46,6 +48,12 @@ Lamp LampOfCue(const State& state, show::CueVerb verb) {
       break;
   }
   return Lamp::kOff;
+}
+
+// A jump to a cue: it was played last, or it stands by.
+Lamp LampOfJump(const CueRun& run, std::int32_t cue) {
+  if (run.active == cue) return Lamp::kLit;
+  return run.standby == cue ? Lamp::kBlinking : Lamp::kOff;
 }
 
 // Of one that two controls keep: the one that is on.
@@ -75,8 +83,8 @@ float FadeTime(const State& state, const show::Call& call) {
 }
 
 // While the list is paused fades stand still, and their lamps are steady.
-bool IsLit(const State& state, const show::Call& call) {
-  switch (LampOf(state, call)) {
+bool IsLit(const State& state, const show::Call& call, const show::Show& show) {
+  switch (LampOf(state, call, show)) {
     case Lamp::kOff:
       return false;
     case Lamp::kLit:
@@ -102,7 +110,7 @@ bool IsRefused(const State& state, const show::Call& call) {
 
 }  // namespace
 
-Lamp LampOf(const State& state, const show::Call& call) {
+Lamp LampOf(const State& state, const show::Call& call, const show::Show& show) {
   if (call.kind == CallKind::kSheet) return SheetOf(state) == call.index ? Lamp::kLit : Lamp::kOff;
   if (call.mode != show::CallMode::kCall) return LampOfKept(KeptBy(state, call));
   switch (call.kind) {
@@ -115,11 +123,14 @@ Lamp LampOf(const State& state, const show::Call& call) {
     case CallKind::kScene:
       return state.scene == call.index ? LampOfMixture(state.backdrops, call.index) : Lamp::kOff;
     case CallKind::kCue:
-      return LampOfCue(state, static_cast<show::CueVerb>(call.index));
+      return LampOfVerb(state, static_cast<show::CueVerb>(call.index), show);
+    case CallKind::kGoTo:
+      return LampOfJump(state.cue_run, call.index);
     case CallKind::kMotion:
       return IsPlaying(state, call.index) ? Lamp::kLit : Lamp::kOff;
     case CallKind::kNothing:
     case CallKind::kSheet:
+    case CallKind::kBlink:
       break;
   }
   return Lamp::kOff;
@@ -131,7 +142,7 @@ std::uint32_t LitLamps(const State& state, const show::Show& show) {
   for (std::size_t i = 0; i < show.buttons.size(); ++i) {
     const show::Call& call = ButtonOf(state, show, i);
     const bool locked_out = i == state.locked_out_button && IsInRefusal(state.since_locked_out_s);
-    if (IsLit(state, call) != (IsRefused(state, call) || locked_out)) lamps |= 1U << i;
+    if (IsLit(state, call, show) != (IsRefused(state, call) || locked_out)) lamps |= 1U << i;
   }
   return lamps;
 }

@@ -29,9 +29,14 @@ bool KeepsTheShow(const show::Call& call) {
   return call.kind == show::CallKind::kCue && KeepsTheShow(call.index);
 }
 
-bool IsDialBoxPlayed(const State& state, const show::Roles& roles) {
+// Whether a role is played from the device that has this button.
+bool IsPlayed(std::size_t button, const State& state, const show::Roles& roles) {
+  constexpr std::size_t kBox = show::kButtonCount;
+  const show::Device device = button < kBox                             ? show::Device::kDialBox
+                              : button < kBox + show::kStickButtonCount ? show::Device::kLeftStick
+                                                                        : show::Device::kRightStick;
   const auto devices = std::span(state.role_devices).first(roles.roles.size());
-  return std::ranges::find(devices, static_cast<std::uint8_t>(show::Device::kDialBox)) != devices.end();
+  return std::ranges::find(devices, static_cast<std::uint8_t>(device)) != devices.end();
 }
 
 }  // namespace
@@ -42,7 +47,7 @@ bool IsLockedOut(const State& state, const Press& press, const show::Show& show)
   if (!press.IsKey()) {
     const show::Call& call = ButtonOf(state, show, press.code);
     return call.kind != show::CallKind::kNothing && !KeepsTheShow(call) &&
-           !IsDialBoxPlayed(state, show.roles);
+           !IsPlayed(press.code, state, show.roles);
   }
   return std::ranges::none_of(show.keys, [&](const show::KeyCall& key) {
     return key.key_usage == press.code && KeepsTheShow(key.call);

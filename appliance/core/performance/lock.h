@@ -9,9 +9,9 @@
 
 namespace kaori::performance {
 
-// Heard while it is on: GO, BACK, PANIC and BLACKOUT, by whichever button, key or call; all buttons of the
-// dial box while a role is played from it; sticks and dials that play a role; lips, voice, and the switches.
-// Not heard: every other key; buttons of a dial box that nobody plays; jumps, stand-by, levels from afar,
+// Heard while it is on: GO, BACK, PANIC and BLACKOUT, by whichever button, key or call; all buttons of a
+// dial box or a stick while a role is played from it; sticks and dials that play a role; lips, voice, and the switches.
+// Not heard: every other key; buttons of a device that nobody plays; jumps, stand-by, levels from afar,
 // letting go, and roles that are moved. What is let go of after it was held down when the lock came on still
 // goes. Both are false while the lock is off. Pure.
 bool IsLockedOut(const State& state, const Press& press, const show::Show& show);

@@ -78,6 +78,11 @@ bool IsPlaying(const State& state, std::int32_t motion) {
                              [=](const Playing& v) { return v.motion == motion && v.gain >= 1; });
 }
 
+void EndMotion(State& state, std::int32_t motion) {
+  for (Playing& voice : state.voices)
+    if (voice.motion == motion) voice.gain = std::min(voice.gain, kLeavesGain);
+}
+
 // A gain just below 1 is what PlayMotions fades out from.
 void EndMotions(State& state) {
   for (Playing& voice : state.voices) voice.gain = std::min(voice.gain, kLeavesGain);

@@ -28,6 +28,9 @@ const Playing* Youngest(const State& state);
 // Whether this motion plays and is not on its way out.
 bool IsPlaying(const State& state, std::int32_t motion);
 
+// This motion fades out in 0.25 s where it plays; others play on.
+void EndMotion(State& state, std::int32_t motion);
+
 // All that play fade out in 0.25 s.
 void EndMotions(State& state);
 

@@ -77,7 +77,7 @@ inline constexpr float kLongSinceGo_s = 3600;
 // StickNow::lost_s and go_quiet_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 16;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 17;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.

@@ -32,6 +32,16 @@ Items ItemsOf(const face::Cast& cast) {
   return items;
 }
 
+// A show without a list of its own has its scenes as cues, which are called as scenes.
+Items ItemsOf(const show::Show& show) {
+  Items items = ItemsOf(show.cast);
+  for (const show::Motion& motion : show.motions) items.motions.push_back(motion.name);
+  for (const show::StageScene& scene : show.scenes) items.scenes.push_back(scene.name);
+  if (!show.cue_list.of_scenes)
+    for (const show::Cue& cue : show.cue_list.cues) items.cues.push_back(cue.number);
+  return items;
+}
+
 // A name that begins with "face " or "expression " is looked up among the show's items, any other among
 // the levels. Where the cast could not be read whole an item that is not found is no fault: it may be
 // in the file that has one.

@@ -7,17 +7,22 @@
 #include <vector>
 
 #include "appliance/core/show/roles.h"
+#include "appliance/core/show/show.h"
 #include "appliance/core/toml/section.h"
 #include "render/face/cast.h"
 
 namespace kaori::roles {
 
-// The faces and expressions of a show by their indices, for levels that are of one of them.
+// The faces and expressions of a show by their indices, for levels that are of one of them, and what else
+// buttons may call by its name: empty where only levels are read.
 struct Items {
   std::vector<std::string> faces, expressions;
+  std::vector<std::string> motions{}, scenes{}, cues{};  // Of cues the numbers.
   bool all_known = true;  // False: a file of the cast could not be read, and no name is said to be missing.
 };
 Items ItemsOf(const face::Cast& cast);
+// With all that buttons may call.
+Items ItemsOf(const show::Show& show);
 
 // What the levels of one file are called, and which faces and expressions they are of. `mixes` are those of
 // the roles below an overlay, and grow by those that the file names. Borrows both.

@@ -1,76 +1,131 @@
 #include "appliance/core/roles/own_buttons.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include <fmt/format.h>
 
+#include "appliance/core/roles/named.h"
 #include "appliance/core/show/cue_names.h"
+#include "render/scene/scene.h"
 #include "appliance/core/toml/nearest.h"
 
 namespace kaori::roles {
 namespace {
 
-constexpr std::string_view kFaceCall = "face ", kExpressionCall = "expression ", kCueCall = "cue ";
+using show::CallKind;
+using show::CallMode;
 
-// The call whose name stands behind `kind`, among names in the order of their indices.
-template <class Names>
-std::optional<show::Call> CallAmong(show::CallKind kind, const Names& names, std::string_view name) {
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return std::nullopt;
-  return show::Call{kind, static_cast<std::uint16_t>(found - names.begin())};
+// The words of a kind, and the names that may stand behind them, by their indices.
+struct Names {
+  CallKind kind;
+  std::string_view word;  // With the blank that follows.
+  std::vector<std::string_view> names;
+};
+
+// In the order in which learn mode offers them. The verbs of the cue list come before the numbers of its cues.
+std::vector<Names> NamesOf(const Items& items) {
+  const auto of = [](const auto& names) { return std::vector<std::string_view>(names.begin(), names.end()); };
+  return {{CallKind::kCue, "cue ", of(show::kCueVerbNames)},
+          {CallKind::kFace, "face ", of(items.faces)},
+          {CallKind::kExpression, "expression ", of(items.expressions)},
+          {CallKind::kBlink, "", of(show::kBlinkNames)},
+          {CallKind::kMotion, "motion ", of(items.motions)},
+          {CallKind::kScene, "scene ", of(items.scenes)},
+          {CallKind::kStyle, "style ", of(scene::kStyleNames)},
+          {CallKind::kGoTo, "cue ", of(items.cues)}};
 }
 
-template <class Names>
-std::string NameAmong(std::string_view kind, const Names& names, std::size_t index) {
-  return index < names.size() ? fmt::format("{}{}", kind, names[index]) : std::string();
+// The mode that stands before a call, which is taken off the text; the usual one is not written.
+CallMode TakeMode(std::string_view& text) {
+  for (const CallMode mode : {CallMode::kToggle, CallMode::kMomentary}) {
+    const std::string_view word = show::kCallModeNames[static_cast<std::size_t>(mode)];
+    if (!text.starts_with(word) || text.size() <= word.size() || text[word.size()] != ' ') continue;
+    text.remove_prefix(word.size() + 1);
+    return mode;
+  }
+  return CallMode::kCall;
 }
 
 }  // namespace
 
+NamedButton NameOfButton(std::uint8_t button) {
+  if (button < show::kButtonCount) return {show::Device::kDialBox, button + 1};
+  const int of_sticks = button - show::kButtonCount;
+  return {of_sticks < show::kStickButtonCount ? show::Device::kLeftStick : show::Device::kRightStick,
+          of_sticks % show::kStickButtonCount + 1};
+}
+
+std::uint8_t ButtonNamed(const NamedButton& named) {
+  const int before = named.device == show::Device::kDialBox ? 0
+                     : named.device == show::Device::kLeftStick
+                         ? show::kButtonCount
+                         : show::kButtonCount + show::kStickButtonCount;
+  return static_cast<std::uint8_t>(before + named.number - 1);
+}
+
 std::optional<show::Call> CallNamed(std::string_view text, const Items& items) {
-  if (text.starts_with(kFaceCall))
-    return CallAmong(show::CallKind::kFace, items.faces, text.substr(kFaceCall.size()));
-  if (text.starts_with(kExpressionCall))
-    return CallAmong(show::CallKind::kExpression, items.expressions, text.substr(kExpressionCall.size()));
-  if (text.starts_with(kCueCall))
-    return CallAmong(show::CallKind::kCue, show::kCueVerbNames, text.substr(kCueCall.size()));
+  const CallMode mode = TakeMode(text);
+  for (const Names& of : NamesOf(items)) {
+    if (!text.starts_with(of.word)) continue;
+    const auto found = std::ranges::find(of.names, text.substr(of.word.size()));
+    if (found == of.names.end()) continue;
+    if (mode != CallMode::kCall && !show::Joins(of.kind)) return std::nullopt;
+    return show::Call{of.kind, static_cast<std::uint16_t>(found - of.names.begin()), mode};
+  }
   return std::nullopt;
 }
 
 std::string NameOf(const show::Call& call, const Items& items) {
-  if (call.kind == show::CallKind::kFace) return NameAmong(kFaceCall, items.faces, call.index);
-  if (call.kind == show::CallKind::kExpression)
-    return NameAmong(kExpressionCall, items.expressions, call.index);
-  if (call.kind == show::CallKind::kCue) return NameAmong(kCueCall, show::kCueVerbNames, call.index);
+  for (const Names& of : NamesOf(items)) {
+    if (of.kind != call.kind || call.index >= of.names.size()) continue;
+    const auto mode = static_cast<std::size_t>(call.mode);
+    const std::string before =
+        call.mode == CallMode::kCall ? std::string() : fmt::format("{} ", show::kCallModeNames[mode]);
+    return fmt::format("{}{}{}", before, of.word, of.names[call.index]);
+  }
   return {};
+}
+
+std::vector<std::string> TeachableCalls(const Items& items) {
+  std::vector<std::string> calls;
+  for (const Names& of : NamesOf(items))
+    for (const std::string_view name : of.names) calls.push_back(fmt::format("{}{}", of.word, name));
+  return calls;
 }
 
 // A name that is not there is told of with the nearest of all that could be meant.
 void ReadButton(toml::Section& section, const Items& items, std::vector<OwnButton>& buttons) {
-  section.AllowOnly({"number", "call"});
-  const int number = section.WholeOr("number", 0, 1, show::kButtonCount);
+  section.AllowOnly({"device", "number", "call"});
+  NamedButton named;
+  if (section.Has("device"))
+    if (const auto device = IndexOf(section, "device", section.Text("device"), show::kDeviceNames))
+      named.device = static_cast<show::Device>(*device);
+  const bool is_box = named.device == show::Device::kDialBox;
+  named.number = section.WholeOr("number", 0, 1, is_box ? show::kButtonCount : show::kStickButtonCount);
   const std::string text = section.Text("call");
   const auto call = CallNamed(text, items);
   if (!call && !text.empty()) {
-    std::vector<std::string> all;
-    for (std::uint16_t i = 0; i < items.faces.size(); ++i)
-      all.push_back(NameOf({show::CallKind::kFace, i}, items));
-    for (std::uint16_t i = 0; i < items.expressions.size(); ++i)
-      all.push_back(NameOf({show::CallKind::kExpression, i}, items));
-    for (std::uint16_t i = 0; i < show::kCueVerbCount; ++i)
-      all.push_back(NameOf({show::CallKind::kCue, i}, items));
-    section.Fault("call",
-                  fmt::format("\"{}\" is no \"face ...\", \"expression ...\" or \"cue ...\" of the show{}",
-                              text, toml::DidYouMean(text, {all.begin(), all.end()})));
+    const std::vector<std::string> all = TeachableCalls(items);
+    section.Fault("call", fmt::format("\"{}\" is no call that the show has{}", text,
+                                      toml::DidYouMean(text, {all.begin(), all.end()})));
   }
-  const OwnButton button{static_cast<std::uint8_t>(number - 1), call.value_or(show::Call())};
+  if (named.number < 1) return;  // A fault of the section already.
+  const OwnButton button{ButtonNamed(named), call.value_or(show::Call())};
   if (std::ranges::find(buttons, button.button, &OwnButton::button) != buttons.end())
-    return section.Fault("number", fmt::format("button {} is given twice", number));
+    return section.Fault("number", fmt::format("button {} is given twice", named.number));
   buttons.push_back(button);
 }
 
 void Assign(const std::vector<OwnButton>& buttons, show::Show& show) {
-  for (const OwnButton& own : buttons) show.buttons[own.button] = show.second_buttons[own.button] = own.call;
+  constexpr std::size_t kBox = show::kButtonCount;
+  for (const OwnButton& own : buttons) {
+    if (own.button < kBox)
+      show.buttons[own.button] = show.second_buttons[own.button] = own.call;
+    else
+      show.stick_buttons[own.button - kBox] = own.call;
+  }
 }
 
 }  // namespace kaori::roles

@@ -9,28 +9,43 @@
 
 #include "appliance/core/roles/level_names.h"
 #include "appliance/core/show/call.h"
+#include "appliance/core/show/roles.h"
 #include "appliance/core/show/show.h"
 #include "appliance/core/toml/section.h"
 
 namespace kaori::roles {
 
-// A button of the dial box, from 0, and what it calls on either sheet.
+// A button (show::kAllButtonCount), and what it calls; one of the dial box on either sheet.
 struct OwnButton {
   std::uint8_t button = 0;
   show::Call call;
 };
 
-// "face kaori", "expression angry" or "cue go"; nothing where the text is none of them. Pure.
+// A button and its device, as files and people count them: from 1.
+struct NamedButton {
+  show::Device device = show::Device::kDialBox;
+  int number = 1;
+};
+NamedButton NameOfButton(std::uint8_t button);
+std::uint8_t ButtonNamed(const NamedButton& named);
+
+// "face kaori", "expression angry", "motion nod", "scene night", "style wire", "blink", "wink left", "cue go" or
+// "cue 14"; "toggle" or "momentary" may stand before a face or an expression. Nothing where the text is none of
+// them. Pure.
 std::optional<show::Call> CallNamed(std::string_view text, const Items& items);
 
 // The same text of a call; empty for a call of another kind. Pure.
 std::string NameOf(const show::Call& call, const Items& items);
 
-// Reads one [[button]] with its `number`, from 1, and its `call`, and adds it. What is wrong becomes a fault
+// All that a button may be taught to call, in the order in which learn mode offers it. Pure.
+std::vector<std::string> TeachableCalls(const Items& items);
+
+// Reads one [[button]] with its `number`, from 1, its `call` and its `device`, which is the dial box where none
+// is given, and adds it. What is wrong becomes a fault
 // of the section.
 void ReadButton(toml::Section& section, const Items& items, std::vector<OwnButton>& buttons);
 
-// Has the buttons call that, on both sheets of the show.
+// Has the buttons call that; those of the dial box on both sheets of the show.
 void Assign(const std::vector<OwnButton>& buttons, show::Show& show);
 
 }  // namespace kaori::roles

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "appliance/core/roles/own_buttons.h"
 #include "appliance/core/toml/quoted.h"
 
 namespace kaori::roles {
@@ -139,15 +140,22 @@ Result<void> RolesLines::SetButton(std::uint8_t button, const std::string& call)
   const auto value = toml::Parse(text(), file_);
   if (!value) return tl::unexpected(value.error());
   const auto begins = Begins(*value);
+  const NamedButton named = NameOfButton(button);
+  const std::string_view device = show::kDeviceNames[static_cast<std::size_t>(named.device)];
+  const bool is_box = named.device == show::Device::kDialBox;
   for (const toml::Value* table : TablesOf(*value, "button")) {
     const toml::Value* const number = toml::Find(*table, "number");
-    if (number == nullptr || number->number != button + 1) continue;
+    const toml::Value* const of = toml::Find(*table, "device");
+    if (number == nullptr || number->number != named.number) continue;
+    if (of == nullptr ? !is_box : !IsText(of, device)) continue;
     const auto span = SpanOf(*table, "[[button]]", begins);
     if (!span) return tl::unexpected(span.error());
     Remove(*span);
     break;
   }
-  AddTable(fmt::format("[[button]]\nnumber = {}\ncall = {}", button + 1, toml::Quoted(call)));
+  AddTable(fmt::format("[[button]]\n{}number = {}\ncall = {}",
+                       is_box ? std::string() : fmt::format("device = \"{}\"\n", device), named.number,
+                       toml::Quoted(call)));
   *this = RolesLines(text(), file_);
   return {};
 }

@@ -29,7 +29,7 @@ class RolesLines {
   Result<void> SetMaps(const std::string& role, std::optional<show::Device> device, const std::string& level,
                        const std::vector<std::string>& maps);
 
-  // `call` is what the button with this number, from 0, calls.
+  // `call` is what the button (show::kAllButtonCount) calls.
   Result<void> SetButton(std::uint8_t button, const std::string& call);
 
  private:

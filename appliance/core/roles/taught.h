@@ -21,7 +21,8 @@ struct Taught {
   show::RoleMap map;
 };
 
-// A button of the dial box, from 0, and what it is to call on either sheet, as files call it: "cue go".
+// A button (show::kAllButtonCount), and what it is to call, as files call it: "cue go". One of the dial box
+// calls it on either sheet.
 struct TaughtButton {
   std::uint8_t button = 0;
   std::string call;

@@ -9,10 +9,30 @@
 namespace kaori::show {
 
 inline constexpr int kButtonCount = 32;
+// Of each of the two sticks.
+inline constexpr int kStickButtonCount = 16;
+// All buttons are numbered through: those of the dial box, then those of the left and of the right stick.
+inline constexpr int kAllButtonCount = kButtonCount + 2 * kStickButtonCount;
 inline constexpr std::uint16_t kSheetCount = 2;  // Of buttons.
 
-// `index` of a call is into faces, expressions, styles or scenes, a CueVerb, a sheet, or into motions.
-enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene, kCue, kSheet, kMotion };
+// `index` of a call is into faces, expressions, styles or scenes, a CueVerb, a sheet, into motions, a Blink,
+// or into the cues of the list (kGoTo: a jump to that one).
+enum class CallKind : std::uint8_t {
+  kNothing,
+  kFace,
+  kExpression,
+  kStyle,
+  kScene,
+  kCue,
+  kSheet,
+  kMotion,
+  kBlink,
+  kGoTo
+};
+
+// Which eyes blink, as they lie before the operator.
+enum class Blink : std::uint16_t { kBoth, kLeft, kRight };
+inline constexpr std::array<std::string_view, 3> kBlinkNames{"blink", "wink left", "wink right"};
 
 enum class CallMode : std::uint8_t {
   kCall,       // It takes the place of what was called before.

@@ -38,6 +38,10 @@ std::size_t Count(const Show& show, CallKind kind) {
       return kSheetCount;
     case CallKind::kMotion:
       return show.motions.size();
+    case CallKind::kBlink:
+      return kBlinkNames.size();
+    case CallKind::kGoTo:
+      return show.cue_list.cues.size();
   }
   return 0;
 }
@@ -72,6 +76,8 @@ void CheckButtons(const Show& show, Faults& faults) {
     CheckCall(show, fmt::format("button {}", i + 1), show.buttons[i], faults);
     CheckCall(show, fmt::format("button {} of the second sheet", i + 1), show.second_buttons[i], faults);
   }
+  for (std::size_t i = 0; i < show.stick_buttons.size(); ++i)
+    CheckCall(show, fmt::format("button {} of the sticks", i + 1), show.stick_buttons[i], faults);
 }
 
 // Roles may name them; a show whose roles name none has none.

@@ -9,14 +9,16 @@
 namespace kaori::boot {
 
 // What a line can be. kaori-input knows the same names (input/line_roles.h); the two programs share no code.
-inline constexpr std::array<std::string_view, 5> kLineNames{"go", "blackout", "service", "presence", "tally"};
+inline constexpr std::array<std::string_view, 7> kLineNames{"go",    "blackout", "service", "presence",
+                                                            "tally", "back",     "panic"};
 
-// The default is the box's own USB bridge with all five lines in order.
+// The default is the box's own USB bridge with the first five lines in order. BACK and PANIC are wired where the
+// settings say so: a box whose settings are older may have anything there.
 struct Wiring {
   // The chip's label, as gpioinfo(1) shows it.
   std::string chip = "cp2112_gpio";
   // The chip's line for each of kLineNames; nothing: not wired.
-  std::array<std::optional<int>, kLineNames.size()> lines{0, 1, 2, 3, 4};
+  std::array<std::optional<int>, kLineNames.size()> lines{0, 1, 2, 3, 4, {}, {}};
   friend bool operator==(const Wiring&, const Wiring&) = default;
 };
 

@@ -63,6 +63,8 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
              sources.wired_lines),
       maps_(std::move(sources.maps)),
       surface_(board, std::move(writers.surface), settings.counts_per_turn, 1 + kFurtherSurfaces),
+      midi_tap_(sources.midi),
+      midi_(board, std::move(writers.midi), maps_),
       roles_(settings.stick_ports, PortsBefore(board)),
       started_(clock.now()) {
   using decode::DeviceKind;
@@ -98,6 +100,7 @@ void InputService::Step() {
     binding.slot->Tick(now, binding.device.get());
   }
   if (!absent_detached_ && now - started_ >= kFindTime) DetachAbsent(now);
+  if (midi_tap_ != nullptr) midi_.Publish(*midi_tap_);
   lines_.Step(now);
   lines_.SetTally(TallyLit(board_.Read<board::StageStatus>(), board_.Read<board::Lines>(), now));
 }

@@ -11,6 +11,7 @@
 #include "appliance/core/board/caller.h"
 #include "appliance/programs/input/device_slot.h"
 #include "appliance/programs/input/line_inputs.h"
+#include "appliance/programs/input/midi_section.h"
 #include "appliance/programs/input/settings.h"
 #include "appliance/programs/input/stick_roles.h"
 #include "appliance/programs/input/surface_map.h"
@@ -31,6 +32,7 @@ struct InputWriters {
   board::Writer<board::Pointer> pointer;
   board::Writer<board::Lines> lines;
   board::Caller calls;
+  board::Writer<board::MidiHeard> midi;
 
   // Errors are those of Board::AcquireWriter, for the first section that is not to be had.
   static Result<InputWriters> Acquire(const board::Board& board);
@@ -38,9 +40,10 @@ struct InputWriters {
 
 // Where input comes from.
 struct InputSources {
-  std::vector<ports::HidBus*> buses;  // Borrowed: the buses outlive the service.
-  ports::GpioOpener lines;            // Empty where the box has no GPIO lines.
-  std::vector<SurfaceMap> maps{};     // Of surfaces that people own.
+  std::vector<ports::HidBus*> buses;     // Borrowed: the buses outlive the service.
+  ports::GpioOpener lines;               // Empty where the box has no GPIO lines.
+  std::vector<SurfaceMap> maps{};        // Of surfaces that people own.
+  const ports::MidiTap* midi = nullptr;  // Borrowed; null where nobody listens to MIDI.
   std::uint32_t wired_lines =
       board::kEveryLine;  // Bit n: line n is wired; for those who ask whether each of them works.
 };
@@ -141,6 +144,8 @@ class InputService {
   LineInputs lines_;
   const std::vector<SurfaceMap> maps_;
   SurfaceSection surface_;
+  const ports::MidiTap* midi_tap_;
+  MidiSection midi_;
   // The slots are made once and live as long as the service; devices come and go.
   // Dial box, left stick, right stick, keyboard, pointer, and further surfaces, which are devices with a map.
   std::array<Binding, 5 + kFurtherSurfaces> bindings_;

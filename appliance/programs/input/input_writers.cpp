@@ -18,9 +18,12 @@ Result<InputWriters> InputWriters::Acquire(const board::Board& board) {
   if (!lines) return tl::unexpected(lines.error());
   auto calls = board::Caller::Acquire(board, board::CallWriter::kInput);
   if (!calls) return tl::unexpected(calls.error());
+  auto midi = board.AcquireWriter<board::MidiHeard>();
+  if (!midi) return tl::unexpected(midi.error());
   return InputWriters{std::move(*surface), {std::move(*left), std::move(*right)},
                       std::move(*keys),    std::move(*pointer),
-                      std::move(*lines),   std::move(*calls)};
+                      std::move(*lines),   std::move(*calls),
+                      std::move(*midi)};
 }
 
 }  // namespace kaori::input

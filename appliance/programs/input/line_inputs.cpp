@@ -110,10 +110,11 @@ void LineInputs::Settle(std::uint32_t line, Time at) {
   const bool pushed = (value_.active & bit) != 0;
   if (pushed && line < value_.pushes.size()) ++value_.pushes[line];
   Write(at, SourceState::kLive);
-  if (pushed && line == static_cast<std::uint32_t>(board::Line::kGo))
+  const auto call = board::CueCallOf(static_cast<board::Line>(line));
+  if (pushed && call)
     caller_.Make({.at = at,
                   .verb = board::CallVerb::kCue,
-                  .subject = board::kCallGo,
+                  .subject = *call,
                   .source = board::CallSource::kFootSwitch});
 }
 

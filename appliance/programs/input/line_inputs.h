@@ -1,4 +1,4 @@
-// GPIO lines: switches go to the board, the foot switch as a call, and the tally lamp is driven.
+// GPIO lines: switches go to the board, those for GO, BACK and PANIC as calls, and the tally lamp is driven.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace kaori::input {
 inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 
 // Used by one thread. It starts from what the section holds: a line that was active before a restart and
-// still is counts as one push, and a foot switch calls GO then. Lines that are absent or were lost are opened
+// still is counts as one push, and one for GO, BACK or PANIC calls it then. Lines that are absent or were lost are opened
 // again every second.
 class LineInputs {
  public:

@@ -10,8 +10,8 @@ namespace kaori::input {
 namespace {
 
 // In the order of board::Line.
-constexpr std::array<std::string_view, board::kLineCount> kInputNames{"go", "blackout", "service",
-                                                                      "presence"};
+constexpr std::array<std::string_view, board::kLineCount> kInputNames{"go",       "blackout", "service",
+                                                                      "presence", "back",     "panic"};
 
 // The role of this name, for the caller to fill in; null for an unknown name.
 std::optional<std::uint32_t>* RoleNamed(std::string_view name, LineRoles& roles) {
@@ -38,7 +38,8 @@ bool Has(const LineRoles& roles, std::uint32_t offset) {
 std::string ParseRole(std::string_view word, LineRoles& roles) {
   const auto equals = std::min(word.find('='), word.size());
   auto* const role = RoleNamed(word.substr(0, equals), roles);
-  if (role == nullptr) return "this role is unknown; the roles are go, blackout, service, presence and tally";
+  if (role == nullptr)
+    return "this role is unknown; the roles are go, back, panic, blackout, service, presence and tally";
   const auto offset = equals < word.size() ? ParseOffset(word.substr(equals + 1)) : std::nullopt;
   if (!offset) return "the number of a line from 0 to 63 is missing, as in go=0";
   if (*role || Has(roles, *offset)) return "this role or this line is named twice";

@@ -48,12 +48,13 @@ constexpr std::string_view kHelp =
                    dials on GPIO lines, two lines for each of them: gpiochip0:4,5,6,7
   --surfaces FOLDER
                    play surfaces that people own as the files of this folder say, and any on MIDI
+  --midi FOLDER    look for raw MIDI in FOLDER/snd and FOLDER/class in place of the kernel's folders
   --links FOLDER   read the simulator's devices, whose sockets are in FOLDER, and its switches where no chip
                    is named
   --gpiochip NAME  the GPIO chip of the foot and service switches: gpiochip0, or its label
   --lines go=0,blackout=1,service=2,presence=3,tally=4
-                   the offsets of the lines on that chip, all or some of them: the first four are switches to
-                   ground, tally is a lamp that is lit while the show is live
+                   the offsets of the lines on that chip, all or some of them, and back=5,panic=6 besides: all are
+                   switches to ground but tally, which is a lamp that is lit while the show is live
   --counts-per-turn N
                    counts of one turn of a dial of a dial box, in place of what the settings say
   --settings FILE  the ports of the devices, dead zones and curves (TOML)
@@ -66,7 +67,7 @@ constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file, box, last_good, key, chip, lines, serial, surfaces, dials, counts;
+  std::string links, file, box, last_good, key, chip, lines, serial, surfaces, midi, dials, counts;
   bool hidraw = false, usb = false;
 };
 
@@ -171,9 +172,12 @@ kaori::Result<Buses> OpenBuses(const Settings& settings, int counts_per_turn, co
 }
 
 // Null where MIDI cannot be looked for.
-std::unique_ptr<kaori::midi::MidiBus> OpenMidi(const std::vector<kaori::midi::KnownSurface>& surfaces,
-                                               const kaori::Clock& clock) {
-  auto bus = kaori::midi::MidiBus::Open({}, surfaces, clock);
+std::unique_ptr<kaori::midi::MidiBus> OpenMidi(const std::string& folder,
+                                               const std::vector<kaori::midi::KnownSurface>& surfaces,
+                                               const kaori::Clock& clock, kaori::ports::MidiTap& tap) {
+  kaori::midi::MidiFolders folders;
+  if (!folder.empty()) folders = {.nodes = folder + "/snd", .classes = folder + "/class"};
+  auto bus = kaori::midi::MidiBus::Open(std::move(folders), surfaces, clock, &tap);
   if (bus) return std::move(*bus);
   kaori::LogWarning("{}; the show goes on without MIDI", bus.error().message());
   return nullptr;
@@ -252,7 +256,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   sources.maps = ReadMaps(settings.surfaces);
   const auto midi_surfaces = MidiSurfacesOf(sources.maps);
-  const auto midi = settings.surfaces.empty() ? nullptr : OpenMidi(midi_surfaces, clock);
+  kaori::ports::MidiTap midi_tap;
+  const auto midi =
+      settings.surfaces.empty() ? nullptr : OpenMidi(settings.midi, midi_surfaces, clock, midi_tap);
+  sources.midi = &midi_tap;
   if (midi) sources.buses.push_back(midi.get());
   kaori::input::InputService service(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   ServiceWatch watch(service, loop);
@@ -281,6 +288,7 @@ int main(int argc, char** argv) {
       .Text("--serial", settings.serial)
       .Text("--dials", settings.dials)
       .Text("--surfaces", settings.surfaces)
+      .Text("--midi", settings.midi)
       .Text("--gpiochip", settings.chip)
       .Text("--lines", settings.lines)
       .Text("--counts-per-turn", settings.counts)

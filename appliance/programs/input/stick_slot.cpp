@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "appliance/core/board/press_log.h"
 #include "appliance/programs/input/stick_roles.h"
 
 namespace kaori::input {
@@ -62,7 +63,9 @@ Result<void> StickSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   stick.twist = sample.twist;
   stick.slider = sample.slider;
   stick.hat = sample.hat;
-  buttons_.Accept(sample.buttons);
+  buttons_.Accept(sample.buttons, [&](std::size_t n) {
+    if (n < stick.pushes.size()) board::NotePress(stick, n, at);
+  });
   stick_.at = at;
   reported_ = changed_ = true;
   return {};
@@ -104,6 +107,7 @@ void StickSlot::Tick(Time now, ports::HidChannel* device) {
   if (now - plugged_ < kEased) return;
   stick_.value = {.slider = stick_.value.slider,
                   .pushes = stick_.value.pushes,
+                  .log = stick_.value.log,
                   .port = stick_.value.port,
                   .centres = stick_.value.centres};
   reported_ = true;
@@ -114,7 +118,6 @@ void StickSlot::Write(Time at, SourceState source) {
   stick_.at = at;
   stick_.source = source;
   stick_.value.buttons_down = buttons_.down[0];
-  std::copy_n(buttons_.pushes.begin(), stick_.value.pushes.size(), stick_.value.pushes.begin());
   writer_.Write(stick_.value, at, source);
 }
 

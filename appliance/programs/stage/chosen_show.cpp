@@ -82,7 +82,7 @@ Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
 }
 
 OwnRoles OwnRolesOver(const show::Show& show, std::filesystem::path file) {
-  return {.file = std::move(file), .items = roles::ItemsOf(show.cast), .below = show.roles};
+  return {.file = std::move(file), .items = roles::ItemsOf(show), .below = show.roles};
 }
 
 void LayOverRoles(const OwnRoles& own, show::Show& show) {

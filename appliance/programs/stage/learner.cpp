@@ -8,8 +8,6 @@
 
 #include "appliance/core/board/keys.h"
 #include "appliance/core/board/lines.h"
-#include "appliance/core/roles/own_buttons.h"
-#include "appliance/core/show/cue_names.h"
 #include "appliance/programs/stage/withheld.h"
 #include "drivers/base/log.h"
 
@@ -32,6 +30,12 @@ show::NamedControl ControlOf(const CheckedItem& item) {
   if (item.kind == board::CheckedKind::kDial)
     return {show::Control::kDial, static_cast<std::uint8_t>(item.number)};
   return {static_cast<show::Control>(item.number), 0};
+}
+
+// On either sheet; a stick has none.
+std::array<show::Call, 2> CallsNow(std::size_t button, const show::Show& show) {
+  if (button < show.buttons.size()) return {show.buttons[button], show.second_buttons[button]};
+  return {show.stick_buttons[button - show.buttons.size()], {}};
 }
 
 // What a key asks for. The key that begins it ends it too.
@@ -187,9 +191,10 @@ void Learner::ProposeControl(const Frame& frame) {
 // What the show plays stays as it was until the stage starts again: a button that was taught a moment ago is
 // said to call what it called before.
 void Learner::ProposeButton(const Frame& frame) {
-  const roles::TaughtButton taught{static_cast<std::uint8_t>(found_->number), NameOfChoice()};
-  for (const show::Call& call :
-       {frame.show.buttons[taught.button], frame.show.second_buttons[taught.button]}) {
+  const roles::NamedButton named{static_cast<show::Device>(found_->device),
+                                 static_cast<int>(found_->number) + 1};
+  const roles::TaughtButton taught{roles::ButtonNamed(named), NameOfChoice()};
+  for (const show::Call& call : CallsNow(taught.button, frame.show)) {
     if (call.kind == show::CallKind::kNothing) continue;
     std::string name = roles::NameOf(call, own_.items);
     if (name.empty()) name = "what it calls now";
@@ -226,10 +231,10 @@ void Learner::Withhold() {
   Release(left_);
 }
 
-// Levels that every show has, faces and expressions as levels; calls of the cue list, of faces and expressions.
+// Levels that every show has, faces and expressions as levels; then what buttons may call.
 std::uint32_t Learner::ChoiceCount() const {
   const std::size_t items = own_.items.faces.size() + own_.items.expressions.size();
-  return static_cast<std::uint32_t>(show::kNamedLevels + items + show::kCueVerbCount + items);
+  return static_cast<std::uint32_t>(show::kNamedLevels + items + calls_.size());
 }
 
 bool Learner::IsCall() const {
@@ -242,11 +247,7 @@ std::string Learner::NameOfChoice() const {
   if (choice < show::kNamedLevels) return std::string(show::kLevels[choice].name);
   choice -= show::kNamedLevels;
   const std::size_t items = own_.items.faces.size() + own_.items.expressions.size();
-  if (choice >= items) {
-    choice -= items;
-    if (choice < show::kCueVerbCount) return fmt::format("cue {}", show::kCueVerbNames[choice]);
-    choice -= show::kCueVerbCount;
-  }
+  if (choice >= items) return calls_[choice - items];
   if (choice < own_.items.faces.size()) return "face " + own_.items.faces[choice];
   return "expression " + own_.items.expressions[choice - own_.items.faces.size()];
 }

@@ -13,6 +13,7 @@
 #include "appliance/core/linecheck/button_finder.h"
 #include "appliance/core/linecheck/control_finder.h"
 #include "appliance/core/performance/input_events.h"
+#include "appliance/core/roles/own_buttons.h"
 #include "appliance/core/roles/taught.h"
 #include "appliance/core/show/show.h"
 #include "appliance/programs/stage/taught_writer.h"
@@ -33,7 +34,10 @@ class Learner {
 
   // The roles to be taught. Until then, and where they have no file, nothing is learnt. To be called before
   // the first Step.
-  void SetRoles(OwnRoles own) { own_ = std::move(own); }
+  void SetRoles(OwnRoles own) {
+    own_ = std::move(own);
+    calls_ = roles::TeachableCalls(own_.items);
+  }
 
   // Of one frame: what people do, and what the show gets, where an evening from the log plays some of them.
   struct Frame {
@@ -86,6 +90,7 @@ class Learner {
 
   board::Writer<board::Learn>& writer_;
   OwnRoles own_;
+  std::vector<std::string> calls_;       // That a button may be taught.
   bool running_ = false, ends_ = false;  // ends_: somebody wants it to end.
   board::Learn now_;
   linecheck::ControlFinder controls_;

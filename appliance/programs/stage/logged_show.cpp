@@ -55,7 +55,7 @@ Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlo
     if (auto written = WriteWholeFile(file, {AsBytes(head.roles)}); !written)
       return tl::unexpected(written.error());
     roles::Besides besides;
-    const auto faults = roles::LayOver(file, roles::ItemsOf(show->cast), show->roles, besides);
+    const auto faults = roles::LayOver(file, roles::ItemsOf(*show), show->roles, besides);
     roles::Assign(besides.buttons, *show);
     for (const std::string& fault : faults) LogWarning("{}", fault);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "appliance/core/performance/kept.h"
 #include "appliance/core/performance/lobby.h"
@@ -16,6 +17,8 @@ using show::Level;
 // The board's arrays hold every level and role that a show can have, so that nothing below needs a bound.
 static_assert(show::kLevelCount <= board::ShowNow::kMostLevels);
 static_assert(show::kMostRoles <= board::ShowNow::kMostRoles);
+
+static_assert(std::tuple_size_v<decltype(performance::State::voices)> == board::ShowNow::kMostMotions);
 
 static_assert(performance::kLobbyPhaseCount == board::kLobbyStateCount);
 
@@ -85,6 +88,8 @@ board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show
   for (std::size_t i = 0; i < state.levels.size(); ++i)
     now.levels[i] = {state.levels[i].value, OwnerOf(state.levels[i]), state.levels[i].role};
   std::ranges::copy(state.role_devices, now.role_devices.begin());
+  for (std::size_t i = 0; i < state.voices.size(); ++i)
+    now.motions[i] = {state.voices[i].motion, state.voices[i].at_s, state.voices[i].gain < 1 ? 1U : 0U};
   now.lobby = static_cast<board::LobbyState>(state.lobby.phase);
   now.lobby_hours = HoursOf(state.lobby, show);
   TellOfTheMouth(state, now);

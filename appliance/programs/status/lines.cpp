@@ -135,7 +135,9 @@ Line Lines(const board::Stamped<board::Lines>& lines, Time now) {
       {board::Line::kBlackout, "BLACKOUT"},
       {board::Line::kService, "service"},
       {board::Line::kPresence, "somebody is in front of the box"},
-      {board::Line::kGo, "GO"}};
+      {board::Line::kGo, "GO"},
+      {board::Line::kBack, "BACK"},
+      {board::Line::kPanic, "PANIC"}};
   Line line = Of({"switches", "all of them count as released", "the show goes on without them"}, lines, now);
   if (lines.source == SourceState::kAbsent) return line;
   std::string on;

@@ -10,10 +10,12 @@ import {steering} from './face.js';
 import {makeKeys} from './keys.js';
 import {makeLearn} from './learn.js';
 import {makeLips} from './lips.js';
+import {makeMidi} from './midi.js';
 import {makeRoles} from './roles.js';
 import {makeSound} from './sound.js';
 import {makeStick} from './sticks.js';
 import {makeSwitches} from './switches.js';
+import {makeTakes} from './takes.js';
 import {makeVoice} from './voice.js';
 import {connect, onState} from './wire.js';
 
@@ -88,6 +90,8 @@ async function begin() {
   makeRoles($('roles'), labels);
   makeCheck($('check'));
   makeLearn($('learn'), labels);
+  makeTakes($('takes'), labels);
+  makeMidi($('midi'), labels);
   makeEditor($('stage'), $('picture'));
   makePicture($('picture'));
   makeCables();

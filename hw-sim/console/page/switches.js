@@ -1,18 +1,21 @@
-// The panel of GPIO lines: the foot switch GO, switches that stay as they are put, and the tally lamp that the box drives.
+// The panel of GPIO lines: GO, BACK and PANIC, switches that stay as they are put, and the tally lamp that the box drives.
 import {make, onHold} from './drag.js';
 import {onState, tell} from './wire.js';
 
-// Line, caption, what it does. GO is held; the others latch.
-const kGo = ['go', 'GO', 'The foot switch: plays the cue that stands by'];
+// Line, caption, what it does. The first ones are held; the others latch.
+const kHeld = [
+  ['go', 'GO', 'The foot switch: plays the cue that stands by'],
+  ['back', 'Back', 'A push button: holds what runs; again, or where nothing runs: to the cue before'],
+  ['panic', 'Panic', 'A push button: ends what runs, and the panic scene; again while it comes: at once'],
+];
 const kLatching = [
   ['blackout', 'Blackout', 'Fades the picture to black and back; everything plays on beneath'],
   ['service', 'Service', 'The key switch: the screen says how the lips are calibrated'],
   ['presence', 'Presence', 'Somebody stands before the box'],
 ];
 
-function makeGo() {
-  const [line, text, help] = kGo;
-  const button = make('button', {type: 'button', class: 'go', title: help, 'aria-label': `${text}: ${help}`}, text);
+function makeHeld([line, text, help]) {
+  const button = make('button', {type: 'button', class: line, title: help, 'aria-label': `${text}: ${help}`}, text);
   onHold(button, {push: () => tell(`line ${line} on`), release: () => tell(`line ${line} off`)});
   return button;
 }
@@ -33,7 +36,7 @@ function makeSwitch([line, text, help], bit) {
 export function makeSwitches(parent) {
   const lamp = make('span', {class: 'tally', role: 'img'}, 'Tally');
   lamp.title = 'The tally lamp: lit by the box while the show is live and not blacked out';
-  parent.append(makeGo(), ...kLatching.map((one, n) => makeSwitch(one, n + 1)), lamp);
+  parent.append(...kHeld.map(makeHeld), ...kLatching.map((one, n) => makeSwitch(one, n + 1)), lamp);
   onState(({lines}) => {
     lamp.classList.toggle('lit', lines.tally);
     lamp.setAttribute('aria-label', `Tally lamp: ${lines.tally ? 'lit' : 'dark'}`);

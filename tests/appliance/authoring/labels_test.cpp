@@ -9,6 +9,8 @@
 
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/levels.h"
+#include "appliance/core/performance/motions.h"
+#include "appliance/core/roles/own_buttons.h"
 #include "hw-sim/console/labels.h"
 #include "tests/appliance/core/performance_fixture.h"
 
@@ -102,13 +104,25 @@ TEST_F(AuthoredLabels, NameTheLevelsOfSingleFaces) {
   ASSERT_EQ(labels_.levels.size(), show::kNamedLevels + 1) << "as many as the show plays";
   EXPECT_EQ(labels_.levels.back().text, "Face face 2");
   const std::size_t items = show_.cast.faces.size() + show_.cast.expressions.size();
-  ASSERT_EQ(labels_.teachable.size(), show::kNamedLevels + 2 * items + show::kCueVerbCount);
+  const auto calls = roles::TeachableCalls(roles::ItemsOf(show_));
+  ASSERT_EQ(labels_.teachable.size(), show::kNamedLevels + items + calls.size());
   EXPECT_EQ(labels_.teachable[show::kNamedLevels + items], "Call GO");
   EXPECT_EQ(labels_.teachable[show::kNamedLevels + items + show::kCueVerbCount],
-            "Call face " + Readable(show_.cast.faces[0].name));
+            Readable("call face " + show_.cast.faces[0].name));
   EXPECT_EQ(labels_.teachable[static_cast<std::size_t>(show::Level::kHeadYaw)], "Head yaw");
   EXPECT_EQ(labels_.teachable[show::kNamedLevels + 1], "Face " + Readable(show_.cast.faces[1].name));
   EXPECT_EQ(labels_.levels.back().unit, "%");
+}
+
+TEST_F(AuthoredLabels, SayOfEachMotionHowLongItIsAndWhatItMoves) {
+  ASSERT_EQ(labels_.motions.size(), show_.motions.size());
+  ASSERT_FALSE(labels_.motions.empty());
+  const show::Motion& motion = show_.motions[0];
+  EXPECT_EQ(labels_.motions[0].text, Readable(motion.name));
+  EXPECT_NEAR(labels_.motions[0].length_s, performance::EndOf(motion), 1e-3);
+  EXPECT_EQ(labels_.motions[0].loops, motion.Loops());
+  EXPECT_EQ(labels_.motions[0].take, motion.recorded);
+  EXPECT_NE(labels_.motions[0].moves, "");
 }
 
 TEST_F(AuthoredLabels, NameTheKeysThatDoSomething) {

@@ -50,6 +50,33 @@ TEST_F(KeptTest, AMomentaryButtonHasItsItemForAsLongAsItIsHeld) {
   EXPECT_EQ(Expression(kAngry), 0);
 }
 
+TEST_F(KeptTest, AButtonOfAStickCallsTogglesAndHoldsAsOneOfTheBoxDoes) {
+  auto& stick = board_.sticks[1];
+  stick.source = board::SourceState::kLive;
+  const std::span right = std::span(show_.stick_buttons).subspan(show::kStickButtonCount);
+  right[0] = {CallKind::kExpression, kLaughs, CallMode::kToggle};
+  right[1] = {CallKind::kFace, kDog, CallMode::kMomentary};
+  right[15] = {CallKind::kCue, static_cast<std::uint16_t>(show::CueVerb::kBlackout)};
+  const auto push = [&](std::size_t button) { board::NotePress(stick.value, button, now_); };
+  push(0);
+  Step();
+  EXPECT_EQ(Expression(kLaughs), 1);
+  push(0);
+  Step();
+  EXPECT_EQ(Expression(kLaughs), 0);
+  push(1);
+  stick.value.buttons_down = 1U << 1U;
+  Run(5s);
+  EXPECT_EQ(Face(kDog), 1);
+  stick.source = board::SourceState::kStale;
+  Run(5s);
+  EXPECT_EQ(Face(kDog), 0) << "a stick that is pulled holds nothing";
+  stick.source = board::SourceState::kLive;
+  push(15);
+  Step();
+  EXPECT_EQ(state_.black_called, 1);
+}
+
 TEST_F(KeptTest, AMomentaryButtonThatIsPulledWithItsBoxIsUp) {
   HoldDown(kHoldAngry);
   Run(1s);

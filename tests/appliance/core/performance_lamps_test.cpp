@@ -111,6 +111,36 @@ TEST_F(KeptTest, LampsBreatheWhileTheirItemFadesAndBlinkWhileItWaits) {
   EXPECT_GE(blinks.changes, 7);
 }
 
+TEST_F(KeptTest, LampsTellWhichCueWasPlayedAndWhichStandsBy) {
+  show_.cue_list.cues = {{.number = "1"}, {.number = "2"}};
+  show::Track(show_);
+  constexpr int kFirst = 24, kSecond = 25;
+  show_.buttons[kFirst] = {CallKind::kGoTo, 0};
+  show_.buttons[kSecond] = {CallKind::kGoTo, 1};
+  const auto changes = [&](int button) {
+    int count = 0;
+    for (int frame = 0; frame < 120; ++frame) {
+      const bool before = IsLampLit(button);
+      Step();
+      count += IsLampLit(button) != before ? 1 : 0;
+    }
+    return count;
+  };
+  Step();
+  EXPECT_TRUE(IsLampLit(kGo)) << "a cue stands by";
+  EXPECT_GE(changes(kFirst), 7) << "it is the one";
+  EXPECT_EQ(changes(kSecond), 0);
+  Push(kGo);
+  Run(1s);
+  EXPECT_TRUE(IsLampLit(kFirst) && IsLampLit(kGo));
+  EXPECT_EQ(changes(kFirst), 0);
+  EXPECT_GE(changes(kSecond), 7);
+  Push(kGo);
+  Run(1s);
+  EXPECT_FALSE(IsLampLit(kGo)) << "the list is over";
+  EXPECT_TRUE(IsLampLit(kSecond));
+}
+
 TEST_F(KeptTest, TheLampOfAGoThatIsRefusedBlinksTwice) {
   show_.cue_list.cues = {{.number = "1"}};
   show::Track(show_);

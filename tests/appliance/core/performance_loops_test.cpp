@@ -70,6 +70,28 @@ TEST_F(Loops, PlayOnWithoutAJumpUntilTheyAreCalledOnceMore) {
 }
 
 // A minute of loops is thirty turns: frames at any rate are at the same place in the thirtieth.
+TEST_F(Loops, BeginAndEndByCallsOfAPage) {
+  const auto call = [&](std::uint32_t motion, float value) {
+    Make({.verb = board::CallVerb::kMotion, .subject = motion, .value = value}, board::CallWriter::kControl);
+    Step();
+  };
+  call(kLoop, 1);
+  EXPECT_TRUE(IsPlaying(state_, kLoop));
+  Run(1s);
+  call(kLoop, 1);
+  ASSERT_NE(Youngest(state_), nullptr);
+  EXPECT_LT(Youngest(state_)->at_s, 0.1F) << "it begins anew";
+  call(kOther, 0);
+  EXPECT_TRUE(IsPlaying(state_, kLoop)) << "another one was ended";
+  call(kLoop, 0);
+  EXPECT_FALSE(IsPlaying(state_, kLoop));
+  Run(400ms);
+  EXPECT_EQ(Youngest(state_), nullptr);
+  EXPECT_EQ(state_.calls_refused, 0U);
+  call(99, 1);
+  EXPECT_EQ(state_.calls_refused, 1U) << "the show has no such motion";
+}
+
 TEST_F(Loops, KeepTheirTime) {
   Push(kButton);
   Step(1ms);

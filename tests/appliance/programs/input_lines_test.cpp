@@ -120,6 +120,19 @@ TEST_F(Lines, CallGoAtTheMomentAtWhichTheFootSwitchWentDown) {
   EXPECT_EQ(calls.newest[0].at, trodden);
 }
 
+TEST_F(Lines, CallBackAndPanicOfTheirPushButtonsAndNothingOfSwitchesThatStay) {
+  for (const auto line : {board::Line::kBlackout, board::Line::kService, board::Line::kPresence,
+                          board::Line::kBack, board::Line::kPanic}) {
+    Contact(static_cast<std::uint32_t>(line), true);
+    Wait(milliseconds(50));
+  }
+  const board::Calls calls = board_.Read<board::Calls>().value;
+  ASSERT_EQ(calls.count, 2U);
+  EXPECT_EQ(calls.newest[0].subject, board::kCallBack);
+  EXPECT_EQ(calls.newest[1].subject, board::kCallPanic);
+  EXPECT_EQ(calls.newest[1].verb, board::CallVerb::kCue);
+}
+
 TEST_F(Lines, CountABouncingContactOnce) {
   for (int n = 0; n < 9; ++n) {
     Contact(0, n % 2 == 0);
@@ -264,6 +277,9 @@ TEST(LineRolesOf, AChipAreNamedAndNeedNotAllBeThere) {
   const auto all = ParseLineRoles("go=0,blackout=1,service=2,presence=3,tally=4").value();
   for (std::uint32_t n = 0; n < 4; ++n) EXPECT_EQ(all.inputs[n], n);
   EXPECT_EQ(all.tally, 4U);
+  const auto pushed = ParseLineRoles("back=5,panic=6").value();
+  EXPECT_EQ(pushed.inputs[static_cast<std::size_t>(board::Line::kBack)], 5U);
+  EXPECT_EQ(pushed.inputs[static_cast<std::size_t>(board::Line::kPanic)], 6U);
   const auto some = ParseLineRoles("tally=0,presence=17").value();
   EXPECT_EQ(some.tally, 0U);
   EXPECT_FALSE(some.inputs[0]);

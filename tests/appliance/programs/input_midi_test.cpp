@@ -53,10 +53,11 @@ class MidiSurfaces : public OwnedDevices {
     midi_ = midi::MidiBus::Open({.nodes = file_.folder() / "snd",
                                  .classes = file_.folder() / "class",
                                  .look_every = milliseconds(1)},
-                                known_, clock_)
+                                known_, clock_, &tap_)
                 .value();
     service_.emplace(board_, InputWriters::Acquire(board_).value(),
-                     InputSources{.buses = {midi_.get()}, .lines = {}, .maps = maps_}, settings_, clock_);
+                     InputSources{.buses = {midi_.get()}, .lines = {}, .maps = maps_, .midi = &tap_},
+                     settings_, clock_);
   }
   // The kernel passes a terminal's bytes on by itself.
   void PlayMidi(sim::MidiTwin& twin, int steps) {
@@ -77,6 +78,16 @@ class MidiSurfaces : public OwnedDevices {
     }
   }
 
+  // Bytes as they are, without a twin.
+  void Say(std::vector<std::uint8_t> bytes) {
+    ASSERT_EQ(::write(cable_.get(), bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+    pollfd arrives{.fd = end_.get(), .events = POLLIN, .revents = 0};
+    ::poll(&arrives, 1, 300);
+    clock_.Advance(milliseconds(5));
+    service_->Step();
+  }
+
+  ports::MidiTap tap_;
   UniqueFd cable_;
   UniqueFd end_;
   std::vector<midi::KnownSurface> known_;
@@ -103,6 +114,37 @@ TEST_F(MidiSurfaces, ATwisterIsPutIntoItsModeAndItsEncodersTurnDials) {
   EXPECT_EQ(Board().surface.value.buttons_down, 0U);
   EXPECT_TRUE(twister.lamp(1) && twister.lamp(4));
   EXPECT_FALSE(twister.lamp(0));
+}
+
+TEST_F(MidiSurfaces, EachMessageIsOnTheBoardWithWhatItIsFor) {
+  PlugMidi("1397", "00b3");
+  StartMidi();
+  Say({});
+  ASSERT_EQ(service_->attached_devices(), 1);
+  Say({0xBA, 1, 64, 0x9A, 8, 127, 0xC0, 7, 0xB3, 99, 1});
+  const auto heard = board_.Read<board::MidiHeard>();
+  ASSERT_EQ(heard.source, SourceState::kLive);
+  ASSERT_EQ(heard.value.count, 4U);
+  const auto& newest = heard.value.newest;
+  constexpr std::uint32_t kNone = board::MidiHeard::kNothing;
+  EXPECT_EQ(newest[0].device, 0x139700B3U);
+  EXPECT_EQ(newest[0].bytes, 0x4001BAU);
+  EXPECT_EQ(newest[0].meant, 0U | kNone << 8U) << "the first dial, though its first value turns nothing";
+  EXPECT_EQ(newest[1].bytes, 0x7F089AU);
+  EXPECT_EQ(newest[1].meant, kNone | 0U << 8U);
+  EXPECT_EQ(newest[2].bytes, 0x0007C0U) << "a message of one byte has no value";
+  EXPECT_EQ(newest[2].meant, kNone | kNone << 8U);
+  EXPECT_EQ(newest[3].meant, kNone | kNone << 8U) << "no dial of this surface";
+}
+
+TEST_F(MidiSurfaces, OfAFloodTheNewestMessagesAreOnTheBoard) {
+  PlugMidi("1397", "00b3");
+  StartMidi();
+  Say({});
+  for (std::uint8_t n = 0; n < 40; ++n) Say({0xBA, 1, n, 0xBA, 2, n});
+  const board::MidiHeard heard = board_.Read<board::MidiHeard>().value;
+  EXPECT_EQ(heard.count, 80U);
+  EXPECT_EQ(heard.newest[79 % board::MidiHeard::kKept].bytes, 0x2702BAU);
 }
 
 TEST_F(MidiSurfaces, AnXTouchMinisDeadEndsTurnNothingAndItsLampsAreShownAgain) {

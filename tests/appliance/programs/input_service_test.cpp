@@ -104,6 +104,8 @@ TEST_F(Sticks, MoveTheirOwnSections) {
   EXPECT_THAT(all.sticks[1].value.twist, FloatNear(-1, 1e-3F));
   EXPECT_EQ(all.sticks[1].value.hat, 2);
   EXPECT_EQ(all.sticks[1].value.pushes[0], 1U);
+  EXPECT_EQ(all.sticks[1].value.log.count, 1U) << "with its time, so that it may call something";
+  EXPECT_EQ(all.sticks[1].value.log.newest[0].code, 0U);
 }
 
 TEST_F(Sticks, KeepTheirAxesOnTheBoardForTheStageToEaseWhenTheyArePulled) {

@@ -118,6 +118,26 @@ TEST_F(StageLearn, LearnsAButtonForGo) {
   EXPECT_EQ(stage_->state().faces.to, 0);
 }
 
+TEST_F(StageLearn, LearnsAButtonOfAStickForACall) {
+  const auto items = SmallShow().cast.faces.size() + SmallShow().cast.expressions.size();
+  Call(LearnCall::kBegin, static_cast<std::uint32_t>(show::kNamedLevels + items));
+  Run(1s);
+  board::NotePress(stick_, 2, clock_.now());
+  Run(1s);
+  ASSERT_EQ(Now().phase, LearnPhase::kFound);
+  EXPECT_EQ(board::NameOf(Now().found), "left stick button 3");
+  EXPECT_EQ(Now().instead, 0U) << "it calls nothing until now";
+  Keep();
+  ASSERT_EQ(Now().phase, LearnPhase::kKept);
+  EXPECT_THAT(File(), HasSubstr("[[button]]\ndevice = \"left stick\"\nnumber = 3\ncall = \"cue go\""));
+  Call(LearnCall::kEnd);
+  StartAgain();
+  EXPECT_EQ(stage_->state().cue_run.active, -1);
+  board::NotePress(stick_, 2, clock_.now());
+  Run(1s);
+  EXPECT_EQ(stage_->state().cue_run.active, 0);
+}
+
 TEST_F(StageLearn, IsDoneByKeysAtABoxWithoutAPage) {
   Strike(board::key::kEnd);
   ASSERT_EQ(Now().phase, LearnPhase::kAsking);
@@ -142,7 +162,9 @@ TEST_F(StageLearn, LeavesTheListOfLevelsByBothItsEnds) {
   Strike(board::key::kUp);
   const auto last = Now().choice;
   const auto items = SmallShow().cast.faces.size() + SmallShow().cast.expressions.size();
-  EXPECT_EQ(last, show::kNamedLevels + 2 * items + show::kCueVerbCount - 1);
+  const auto calls = roles::TeachableCalls(roles::ItemsOf(SmallShow())).size();
+  EXPECT_GT(calls, items + show::kCueVerbCount) << "motions, scenes and the rest too";
+  EXPECT_EQ(last, show::kNamedLevels + items + calls - 1);
   Strike(board::key::kDown);
   EXPECT_EQ(Now().choice, 0U);
 }

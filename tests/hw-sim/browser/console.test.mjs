@@ -173,6 +173,14 @@ test('switches reach the drivers as lines, and the tally lamp is what the box sa
   await until('GO down', () => harness.heard('line 0')?.[0] === 1);
   await page.mouse.up();
   await until('GO up', () => harness.heard('line 0')[0] === 0);
+  for (const [name, line] of [['Back', 4], ['Panic', 5]]) {
+    const held = await middle(page.locator('#lines').getByRole('button', {name: new RegExp(`^${name}`)}));
+    await page.mouse.move(held.x, held.y);
+    await page.mouse.down();
+    await until(`${name} down`, () => harness.heard(`line ${line}`)?.[0] === 1);
+    await page.mouse.up();
+    await until(`${name} up`, () => harness.heard(`line ${line}`)[0] === 0);
+  }
   const blackout = page.getByRole('button', {name: /^Blackout/});
   await blackout.click();
   await until('a latched switch', async () => harness.heard('line 1')?.[0] === 1 && await blackout.getAttribute('aria-pressed') === 'true');
