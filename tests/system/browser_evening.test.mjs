@@ -48,7 +48,14 @@ async function turn(name, on) {
 
 // A control of the line check, in the state in which the page shows it.
 const item = (words) => page.locator('#check li[data-state]').filter({hasText: words}).first();
-const ticked = (control, name) => until(`${name} ticked`, async () => await control.getAttribute('data-state') === 'seen');
+async function ticked(control, name) {
+  let words;
+  const isSeen = async () => {
+    words = await control.textContent();
+    return await control.getAttribute('data-state') === 'seen';
+  };
+  await until(`${name} ticked`, isSeen).catch((error) => assert.fail(`${error.message}; the page says: ${words}`));
+}
 
 test('a motion nods the head, and lets go of it', async () => {
   const ahead = await view.atRest();
@@ -69,6 +76,7 @@ test('a line check ticks what a person moves, moves nothing of the face, and say
   await saying('check', 'No control moves the face');
   await button('Dog').click();
   await ticked(item('button 9'), 'button 9');
+  await dial('Face').scrollIntoViewIfNeeded();
   for (const dy of [-200, 200, 200]) {  // A way up, back, and as far down.
     await pull(page, dial('Face'), 0, dy);
     await page.mouse.up();
