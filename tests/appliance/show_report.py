@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes what is measured of a performance, in simulated time: show_report.py BIN FILE.json
+"""Writes what is measured of a performance, in simulated time but for the kills: show_report.py BIN FILE.json
 
-Each figure comes from a test of BIN/test-performance or another of PROGRAMS, which bounds it too; FILE gets them as they are on
-this machine now.
+Each figure comes from a test of one of PROGRAMS in BIN, which bounds it too; FILE gets them as they are on this machine now.
 
-  jump_states_differ       jumps between cues whose state is not that of the run through the list
+  jump_states_differ       of `jumps` between all pairs of cues, of the default list and of a small one, those whose state is
+                           not that of the run through the list
   go_to_light_frames       pictures that were begun after a GO until the one that has its cue; 1: the very next (99 of 100 GOs)
   go_to_light_ms           from the push of a GO until that picture is presented, at 60 Hz (99 of 100 GOs)
   go_lost_over_kills       GOs of `go_kills` that were not played, each pressed while the stage was killed
@@ -30,19 +30,22 @@ import sys
 import tempfile
 from pathlib import Path
 
-FIGURES = ("jump_states_differ", "go_to_light_frames", "go_to_light_ms", "go_kills", "go_lost_over_kills", "panic_twice_frames", "takeovers", "takeover_jumps", "handover_step_percent", "blinks_per_min_rest",
-           "blinks_per_min_speaking", "blinks_on_held_lids", "saccade_error_ms", "gaze_target_error_deg", "solo_still_s",
-           "replay_bits_differ", "log_kb_per_min", "take_replay_error", "load_ms_200_cues", "faulty_files", "faulty_files_named")
+# Of these each test counts its own.
+COUNTS = ("jumps", "jump_states_differ", "faulty_files", "faulty_files_named")
+FIGURES = (*COUNTS, "go_to_light_frames", "go_to_light_ms", "go_kills", "go_lost_over_kills", "panic_twice_frames",
+           "takeovers", "takeover_jumps", "handover_step_percent", "blinks_per_min_rest", "blinks_per_min_speaking",
+           "blinks_on_held_lids", "saccade_error_ms", "gaze_target_error_deg", "solo_still_s", "replay_bits_differ",
+           "log_kb_per_min", "take_replay_error", "load_ms_200_cues")
 PROGRAMS = {"test-performance": "*Jump*:*PanicCalls*:*RandomTakeOvers*:*HandOver*:LifeOfBlinks.*:Gaze.*",
             "test-core": "*PlaysAgainToTheBit:*FewBytesForAMinute",
             "test-script": "*PlaysWhatTheOperatorDid:*AWrongTake.*",
             "test-pack-authoring": "*AMistake.*",
-            "test-evening": "ManyCues.*",
+            "test-evening": "DefaultList.*:ManyCues.*",
             "test-system": "GoOverKills.*"}
 
 
 def measured(program, tests):
-    """(what the tests of one program recorded, 1 for each faulty file that was named and 0 for others, whether all passed)."""
+    """(what the tests of one program recorded, as pairs of a figure and a number; whether all of them passed)."""
     with tempfile.TemporaryDirectory() as folder:
         said = Path(folder) / "said.json"
         done = subprocess.run([program, f"--gtest_filter={tests}", f"--gtest_output=json:{said}"],
@@ -50,21 +53,17 @@ def measured(program, tests):
         if done.returncode != 0:
             print(done.stdout, file=sys.stderr)
         cases = [case for suite in json.loads(said.read_text())["testsuites"] for case in suite["testsuite"]]
-    recorded = {name: float(case[name]) for case in cases for name in FIGURES if name in case}
-    named = [int(case["faulty_file_named"]) for case in cases if "faulty_file_named" in case]
-    return recorded, named, done.returncode == 0
+    return [(name, float(case[name])) for case in cases for name in FIGURES if name in case], done.returncode == 0
 
 
 def main():
     bin_folder, file = (Path(word).resolve() for word in sys.argv[1:3])
-    recorded, named, passed = {}, [], True
+    recorded, passed = {}, True
     for program, tests in PROGRAMS.items():
-        found, files, all_passed = measured(bin_folder / program, tests)
-        recorded |= found
-        named += files
+        found, all_passed = measured(bin_folder / program, tests)
+        for name, value in found:
+            recorded[name] = value + (recorded.get(name, 0) if name in COUNTS else 0)
         passed = passed and all_passed
-    if named:
-        recorded |= {"faulty_files": len(named), "faulty_files_named": sum(named)}
     figures = {name: recorded.get(name) for name in FIGURES}
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(figures, indent=2) + "\n")

@@ -230,7 +230,8 @@ TEST_P(AMistake, IsRefusedWithFileLineAndReason) {
     Replace(mistake.file, mistake.what, mistake.with);
   const auto faults = CheckFolder(show_).faults;
   EXPECT_THAT(faults, Contains(ContainsRegex(mistake.says)));
-  RecordProperty("faulty_file_named",
+  RecordProperty("faulty_files", 1);
+  RecordProperty("faulty_files_named",
                  ::testing::Value(faults, Contains(ContainsRegex(mistake.says))) ? 1 : 0);
 }
 

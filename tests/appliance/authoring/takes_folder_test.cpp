@@ -168,7 +168,9 @@ TEST_P(AWrongTake, IsNamedWithItsFileAndLine) {
   Write("takes/wave.toml", std::string(GetParam().text) + "\n");
   const auto faults = Read();
   EXPECT_THAT(faults, Contains(HasSubstr(GetParam().line)));
-  RecordProperty("faulty_file_named", ::testing::Value(faults, Contains(HasSubstr(GetParam().line))) ? 1 : 0);
+  RecordProperty("faulty_files", 1);
+  RecordProperty("faulty_files_named",
+                 ::testing::Value(faults, Contains(HasSubstr(GetParam().line))) ? 1 : 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, AWrongTake, ::testing::ValuesIn(kWrongTakes),
