@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -34,6 +35,10 @@ constexpr Duration kLogPatience = 5s;  // Of real time, for the disk.
 constexpr Duration kAfterTheEnd = 1s;  // For what is still due.
 // The lip camera of the evening: its smallest usual size.
 constexpr int kCameraWidth_px = 160, kCameraHeight_px = 120;
+
+double ProcessorSeconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 double ResidentKb() {
   std::ifstream statm("/proc/self/statm");
@@ -205,6 +210,7 @@ void CompareGos(Verdict& verdict) {
 Result<Verdict> PlayEvening(const RunningOrder& order, const EveningOptions& options, stage::Studio& studio) {
   const SteadyClock wall;
   const Time begun = wall.now();
+  const double processor_begun_s = ProcessorSeconds();
   std::error_code none;
   fs::remove_all(options.folder, none);
   const fs::path logs = fs::path(options.folder) / "log";
@@ -236,6 +242,7 @@ Result<Verdict> PlayEvening(const RunningOrder& order, const EveningOptions& opt
     verdict.wrong.emplace_back("the disk of the log was full, and no part of the log is lost");
   fs::remove_all(options.folder, none);
   verdict.seconds = Seconds(wall.now() - begun);
+  verdict.processor_seconds = ProcessorSeconds() - processor_begun_s;
   return verdict;
 }
 

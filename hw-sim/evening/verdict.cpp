@@ -33,6 +33,7 @@ void Add(const Verdict& evening, Verdict& to) {
   to.evenings += evening.evenings;
   to.minutes += evening.minutes;
   to.seconds += evening.seconds;
+  to.processor_seconds += evening.processor_seconds;
   to.stopped = to.stopped || evening.stopped;
   for (const auto count :
        {&Verdict::cues, &Verdict::missed_cues, &Verdict::go_sent, &Verdict::go_played, &Verdict::go_refused,
@@ -120,6 +121,7 @@ json::Object ToJson(const Verdict& verdict) {
           {"log_parts_lost", verdict.log_parts_lost},
           {"log_parts_allowed", verdict.log_parts_allowed},
           {"seconds", std::round(verdict.seconds * 10) / 10},
+          {"processor_seconds", std::round(verdict.processor_seconds * 10) / 10},
           {"wrong", json::ListOf(WhatIsWrong(verdict))}};
 }
 

@@ -35,7 +35,8 @@ struct Verdict {
   std::uint64_t log_parts_allowed = 0;  // and how many it may have been.
   std::uint64_t frame_path_allocations = 0;
   int open_files_start = 0, open_files_end = 0;
-  double seconds = 0;  // Of real time, for all of it.
+  double seconds = 0;            // Of real time, for all of it,
+  double processor_seconds = 0;  // and of the processor, which other programs of the machine do not lengthen.
   bool stopped = false;
   bool whole = false;  // Each evening was played to its end: bounds of its length and of its counts hold too.
   std::vector<MemoryAt> memory;

@@ -123,7 +123,7 @@ void Weigh(State& state, const board::Snapshot& board, const show::Show& show, c
   weights.faces = with_kept(show::CallKind::kFace, state.faces, Knob::kFace);
   weights.expressions =
       Strengthened(with_kept(show::CallKind::kExpression, state.expressions, Knob::kExpression),
-                   At(state.shown, Knob::kStrength));
+                   At(state.shown, Knob::kStrength) * ExpressionAsleep(state.lobby));
   weights.channels = motion.channels;
   MoveMouth(state, board, show.channels, weights, dt_s);
   face::LimitJaw(show.cast, weights);
@@ -176,6 +176,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   Motion motion = PlayMotions(state, show, PlayTime(state, dt_s));
   const Idle idle = Live(state, board, show, motion, dt_s);
   scene.head = Sum(state.head, idle.head, motion.head);
+  scene.head.pitch_rad += HeadAsleep_rad(state.lobby);
   for (std::size_t eye = 0; eye < scene.gaze.size(); ++eye)
     scene.gaze[eye] = Sum(state.gaze, idle.gaze[eye], motion.gaze);
   scene.breath = BreathAsleep(state, idle.breath);

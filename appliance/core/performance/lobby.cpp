@@ -25,6 +25,7 @@ constexpr float kWake_s = 0.7F;
 // Of somebody asleep: 8 breaths a minute, a whole number of them in kLifePeriod_s.
 constexpr float kSleepBreath_hz = 0.133F;
 constexpr float kSleepBreath = 0.8F;
+constexpr float kSunkHead_rad = 9 * show::kDegree;
 // Further than this, of -1..1 or of 0..1, a stick or its slider has been moved by a person.
 constexpr float kMovedStick = 0.05F, kMovedSlider = 0.02F;
 // She breathes and does nothing else. In the order of show::LifePart.
@@ -240,6 +241,14 @@ void PlayLobby(State& state, const board::Snapshot& board, const InputEvents& ev
 
 float LidsAsleep(const LobbyNow& now) {
   return SmoothStep(now.asleep);
+}
+
+float ExpressionAsleep(const LobbyNow& now) {
+  return 1 - SmoothStep(now.asleep);
+}
+
+float HeadAsleep_rad(const LobbyNow& now) {
+  return -kSunkHead_rad * SmoothStep(now.asleep);
 }
 
 float LightAsleep(const LobbyNow& now, const show::Show& show) {

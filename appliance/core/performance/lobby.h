@@ -25,5 +25,7 @@ bool IsOpen(const LobbyNow& now, const show::Lobby& lobby);
 float LidsAsleep(const LobbyNow& now);                           // 0 open .. 1 shut.
 float LightAsleep(const LobbyNow& now, const show::Show& show);  // A factor of the exposure, 0 .. 1.
 float BreathAsleep(const State& state, float breath);            // Slow, -1 out .. 1 in.
+float ExpressionAsleep(const LobbyNow& now);                     // A factor of every expression, 0 .. 1.
+float HeadAsleep_rad(const LobbyNow& now);                       // Of pitch: a head sinks in sleep.
 
 }  // namespace kaori::performance

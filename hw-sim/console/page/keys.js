@@ -64,12 +64,16 @@ function releaseAll() {
   for (const usage of [...held]) holdKey(usage, false);
 }
 
+// What a focused control uses is its own: Enter and Space of a button, arrows of a dial, all of a field. Every other key plays.
+function isOfControl({defaultPrevented, target, code}) {
+  if (defaultPrevented || target.matches('input, select')) return true;
+  return target.matches('button') && ['Enter', 'NumpadEnter', 'Space'].includes(code);
+}
+
 function listenToKeyboard() {
   window.addEventListener('keydown', (event) => {
     const usage = kUsages.get(event.code);
-    // What a focused control uses (arrows of a dial, Enter of a button) is its own.
-    const used = event.defaultPrevented || (event.target !== document.body && event.target.matches('button, input'));
-    if (usage === undefined || isBrowsers(event) || used) return;
+    if (usage === undefined || isBrowsers(event) || isOfControl(event)) return;
     event.preventDefault();
     if (!event.repeat) holdKey(usage, true);
   });

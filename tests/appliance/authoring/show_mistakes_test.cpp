@@ -228,7 +228,11 @@ TEST_P(AMistake, IsRefusedWithFileLineAndReason) {
     Append(mistake.file, mistake.with);
   else
     Replace(mistake.file, mistake.what, mistake.with);
-  EXPECT_THAT(CheckFolder(show_).faults, Contains(ContainsRegex(mistake.says)));
+  const auto faults = CheckFolder(show_).faults;
+  EXPECT_THAT(faults, Contains(ContainsRegex(mistake.says)));
+  RecordProperty("faulty_files", 1);
+  RecordProperty("faulty_files_named",
+                 ::testing::Value(faults, Contains(ContainsRegex(mistake.says))) ? 1 : 0);
 }
 
 std::string NameOf(const ::testing::TestParamInfo<Mistake>& mistake) {

@@ -166,7 +166,11 @@ class AWrongTake : public TakesFolder, public ::testing::WithParamInterface<Wron
 
 TEST_P(AWrongTake, IsNamedWithItsFileAndLine) {
   Write("takes/wave.toml", std::string(GetParam().text) + "\n");
-  EXPECT_THAT(Read(), Contains(HasSubstr(GetParam().line)));
+  const auto faults = Read();
+  EXPECT_THAT(faults, Contains(HasSubstr(GetParam().line)));
+  RecordProperty("faulty_files", 1);
+  RecordProperty("faulty_files_named",
+                 ::testing::Value(faults, Contains(HasSubstr(GetParam().line))) ? 1 : 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, AWrongTake, ::testing::ValuesIn(kWrongTakes),

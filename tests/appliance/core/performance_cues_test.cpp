@@ -193,6 +193,7 @@ TEST_F(CuesTest, AJumpFromAnyCueToAnyOtherEqualsTheRunThroughToTheBit) {
     }
   }
   RecordProperty("jump_states_differ", differ);
+  RecordProperty("jumps", static_cast<int>(ends.size() * ends.size()));
 }
 
 TEST_F(CuesTest, AJumpInTheMiddleOfAFadeDoesNotLeap) {

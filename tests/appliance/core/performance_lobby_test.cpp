@@ -94,6 +94,29 @@ TEST_F(LobbyTest, SheWakesForAVisitorLooksAtHimAndGreets) {
   EXPECT_EQ(Phase(), LobbyPhase::kWith);
 }
 
+// A smile above shut lids is no sleep. The fixture's cue of the lobby smiles with expression 7.
+TEST_F(LobbyTest, SheSleepsWithASunkHeadAndWithoutAnExpressionAndComesToHerselfSmoothly) {
+  OpenLobby();
+  const float smile = Weight(performed_.scene.weights.expressions, 7);
+  const float upright = performed_.scene.head.pitch_rad;
+  ASSERT_GT(smile, 0.9F);
+  FallAsleep();
+  EXPECT_FLOAT_EQ(Weight(performed_.scene.weights.expressions, 7), 0);
+  EXPECT_FLOAT_EQ(Weight(performed_.scene.weights.expressions, 0), 1);
+  EXPECT_LT(performed_.scene.head.pitch_rad, upright - 5 * show::kDegree);
+  SetSomeone(true);
+  float before = performed_.scene.head.pitch_rad, largest = 0;
+  for (int frame = 0; frame < 30; ++frame) {
+    const float now = Step().head.pitch_rad;
+    largest = std::max(largest, std::abs(now - before));
+    before = now;
+  }
+  EXPECT_LT(largest, 2 * show::kDegree) << "a frame";
+  Run(5s);
+  EXPECT_FLOAT_EQ(Weight(performed_.scene.weights.expressions, 7), smile);
+  EXPECT_NEAR(performed_.scene.head.pitch_rad, upright, 1e-4F);
+}
+
 TEST_F(LobbyTest, GreetingsTakeTurns) {
   OpenLobby();
   std::vector<int> heard;
