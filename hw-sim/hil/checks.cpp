@@ -78,7 +78,7 @@ std::vector<Check> AllChecks() {
         ToolChecks(),     AuthorisationChecks(), AloneChecks(),     SpeedChecks(),   GadgetChecks(),
         LoopChecks(),     SamplingChecks(),      DisplayChecks(),   OutputChecks(),  LastFaceChecks(),
         RecoveryChecks(), PowerChecks(),         StickChecks(),     DataChecks(),    DiskChecks(),
-        StartChecks()})
+        MediumChecks(),   SecureBootChecks(),    StartChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
