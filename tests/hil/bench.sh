@@ -4,7 +4,7 @@
 # What looks at devices in the guest; the firmware; what a check runs on this machine.
 readonly MACHINE_PACKAGES=(e2fsprogs evtest v4l-utils gpiod alsa-utils usbutils ovmf)
 readonly WINDOW_PACKAGES=(xvfb qemu-system-gui)  # What draws for the guest.
-readonly LONG_PACKAGES=(cpio zstd xz-utils dosfstools mtools)  # What the long mode's checks call.
+readonly LONG_PACKAGES=(cpio zstd xz-utils dosfstools mtools openssl efitools sbsigntool)  # What the long mode's checks call.
 readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 readonly PLAIN_SHOW=out/plain.kaori
 readonly STICKS=out/sticks
@@ -99,6 +99,7 @@ run_check() {
 run_all_checks() {
   run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
+  tests/system/company_report.py out
 }
 
 # --chosen: what runs each time.

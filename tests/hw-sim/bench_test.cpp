@@ -62,10 +62,10 @@ TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
 }
 
 TEST(QemuCommand, OnUsbHasTheDiskOnAControllerOfItsOwn) {
-  const Setup setup{.disk_bus = DiskBus::kUsb};
-  const auto command = QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, setup, "line", "d");
+  const kaori::hil::Setup on_usb{.disk_bus = DiskBus::kUsb};
+  const auto command = QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, on_usb, "line", "d");
   EXPECT_THAT(command, ::testing::Contains("usb-storage,drive=disk,bus=medium.0,id=medium-disk"));
-  EXPECT_EQ(BenchDisk(setup), "/dev/vda") << "it is the only one on virtio";
+  EXPECT_EQ(BenchDisk(on_usb), "/dev/vda") << "it is the only one on virtio";
   EXPECT_EQ(BenchDisk({}), "/dev/vdb");
 }
 

@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sched.h>
-#include <sys/klog.h>
 #include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
@@ -22,11 +21,10 @@
 #include "appliance/core/store/choice.h"
 #include "appliance/programs/boot/ahead.h"
 #include "appliance/programs/boot/card.h"
-#include "appliance/programs/boot/clock_floor.h"
 #include "appliance/programs/boot/data_partition.h"
-#include "appliance/programs/boot/graphics_fault.h"
 #include "appliance/programs/boot/known_shaders.h"
 #include "appliance/programs/boot/machine_id.h"
+#include "appliance/programs/boot/pc_faults.h"
 #include "appliance/programs/boot/profile.h"
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
@@ -150,39 +148,6 @@ void Report(const std::string& line) {
   [[maybe_unused]] const auto written = ::write(log.get(), record.data(), record.size());
 }
 
-// The kernel's log since its start; empty where it may not be read.
-std::string KernelLog() {
-  constexpr int kReadAll = 3,
-                kBufferSize = 10;  // syslog(2): SYSLOG_ACTION_READ_ALL, SYSLOG_ACTION_SIZE_BUFFER.
-  std::string log(static_cast<std::size_t>(std::max(0, ::klogctl(kBufferSize, nullptr, 0))), '\0');
-  log.resize(
-      static_cast<std::size_t>(std::max(0, ::klogctl(kReadAll, log.data(), static_cast<int>(log.size())))));
-  return log;
-}
-
-// The drivers have started by now, and have had their files or not.
-void ReportGraphics() {
-  for (const std::string& fault : kaori::boot::GraphicsFaults(
-           kaori::boot::UndrivenCards("/sys/bus/pci/devices"), kaori::boot::WantedFirmware(KernelLog())))
-    Report(fault);
-}
-
-// A show log with dates of another century would help nobody. The PC's own clock is left to a person: whether its battery
-// keeps anything is not known.
-void MendClock() {
-  using kaori::boot::Date, kaori::boot::Shown;
-  struct stat of_image {};
-  if (::stat(kStill, &of_image) != 0) return;
-  const auto date = [](std::time_t seconds) { return Date{std::chrono::seconds(seconds)}; };
-  const Date now = date(::time(nullptr));
-  const auto mended = kaori::boot::MendedClock(now, date(of_image.st_mtim.tv_sec), kData);
-  if (!mended) return;
-  const timespec set{.tv_sec = mended->time_since_epoch().count(), .tv_nsec = 0};
-  const bool is_set = ::clock_settime(CLOCK_REALTIME, &set) == 0;
-  Report("this PC forgot the time: its clock stood at " + Shown(now) +
-         (is_set ? " and goes on from " + Shown(*mended) : "") + "; set it in the firmware's setup, to UTC");
-}
-
 // Nothing that is kept may bring devices, rights or programs with it.
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
 
@@ -270,7 +235,7 @@ void LayOver(const std::string& file, const std::string& setting, const std::str
 void KeepMedium() {
   const auto medium = kaori::boot::UsbMedium("/sys/class/block");
   for (const std::string& device : medium) WriteSetting("medium-" + device, {});
-  kaori::boot::CutOffStrangers("/sys/bus/usb/devices", medium);
+  kaori::boot::DeauthoriseOthers("/sys/bus/usb/devices", medium);
 }
 
 // Lays the box's own number over the root's empty /etc/machine-id, since the journal keeps its files in a folder of that
@@ -301,8 +266,7 @@ void Boot() {
   const bool keeps = MountData();
   mounted->write_end.reset();
   GiveCards();
-  MendClock();
-  ReportGraphics();
+  for (const std::string& fault : kaori::boot::PcFaults(kStill, kData)) Report(fault);
   const std::string wanted_name = ApplySettings();
   KeepMedium();
   if (keeps) ApplyIdentity(wanted_name);

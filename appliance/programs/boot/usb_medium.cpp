@@ -57,7 +57,7 @@ std::vector<std::string> UsbMedium(const fs::path& blocks) {
 }
 
 // The buses first: a device that comes meanwhile is refused already.
-std::vector<std::string> CutOffStrangers(const fs::path& devices, const std::vector<std::string>& medium) {
+std::vector<std::string> DeauthoriseOthers(const fs::path& devices, const std::vector<std::string>& medium) {
   const auto all = ListFolder(devices).value_or(std::vector<fs::path>{});
   bool lets_in = false;
   for (const fs::path& device : all)

@@ -16,7 +16,7 @@ std::vector<std::string> UsbMedium(const std::filesystem::path& blocks);
 // not on the way to the disk is cut off: udev decides about it, as about whatever comes later. Gives the names of what was
 // cut off. Where the buses let in nothing in any case this does nothing. `devices` is /sys/bus/usb/devices; blocks until
 // their drivers have let go. What cannot be written is passed over.
-std::vector<std::string> CutOffStrangers(const std::filesystem::path& devices,
-                                         const std::vector<std::string>& medium);
+std::vector<std::string> DeauthoriseOthers(const std::filesystem::path& devices,
+                                           const std::vector<std::string>& medium);
 
 }  // namespace kaori::boot

@@ -63,7 +63,7 @@ TEST_F(Usb, ADiskInsideThePcIsNone) {
 }
 
 TEST_F(Usb, WhatIsNotTheMediumIsCutOffAndNothingMoreIsLetIn) {
-  EXPECT_THAT(CutOffStrangers(devices(), {"usb2", "2-1", "2-1.4"}), ElementsAre("1-3", "2-2"));
+  EXPECT_THAT(DeauthoriseOthers(devices(), {"usb2", "2-1", "2-1.4"}), ElementsAre("1-3", "2-2"));
   EXPECT_EQ(Authorised("1-3"), '0');
   EXPECT_EQ(Authorised("2-2"), '0');
   EXPECT_EQ(Authorised("2-1"), '1');
@@ -75,7 +75,7 @@ TEST_F(Usb, WhatIsNotTheMediumIsCutOffAndNothingMoreIsLetIn) {
 
 TEST_F(Usb, WhereBusesLetInNothingAllIsLeftAsItIs) {
   for (const std::string bus : {"usb1", "usb2"}) Write(devices() / bus / "authorized_default", "0\n");
-  EXPECT_THAT(CutOffStrangers(devices(), {}), IsEmpty());
+  EXPECT_THAT(DeauthoriseOthers(devices(), {}), IsEmpty());
   EXPECT_EQ(Authorised("1-3"), '1');
 }
 
