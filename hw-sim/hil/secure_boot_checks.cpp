@@ -172,6 +172,7 @@ std::vector<Check> SecureBootChecks() {
   return {{.name = "secure-boot",
            .sentence = "With Secure Boot only what the PC's own keys signed starts",
            .run = SecureBoot,
+           .setup = {.plugged = false, .sound = false, .agent = false},  // As DiskChecks, which come before.
            .control = WithoutKeysAllStarts,
            .powers = true}};
 }
