@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # ./box test, bench and fuzz. Read by ./box.
 
-readonly TEST_PACKAGES=(python3 chromium dosfstools e2fsprogs ffmpeg mtools systemd clang-format clang-tidy shellcheck pyflakes3)
+readonly TEST_PACKAGES=(python3 chromium dosfstools e2fsprogs ffmpeg mtools systemd clang-format clang-tidy shellcheck pyflakes3
+  openssl efitools sbsigntool)
 readonly BENCH_PACKAGES=(libopencv-core-dev libopencv-imgproc-dev)  # What the lips are compared with: ten seconds.
 readonly FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev)
 readonly BUILD_COSTS=out/build_cpu.json
@@ -39,6 +40,7 @@ run_tests() {
   ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}" || fail "tests failed; they are named above"
   [ ${#match[@]} -eq 0 ] || return 0
   python3 -B tests/rules/report.py . $BUILD out/house.json
+  python3 -B tests/system/company_report.py out
   python3 -B tests/appliance/show_report.py $BIN out/show.json || fail "out/show.json is not whole; see above"
 }
 

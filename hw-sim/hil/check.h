@@ -131,6 +131,10 @@ std::vector<Check> AuthorisationChecks();
 std::vector<Check> SpeedChecks();
 // Without any device.
 std::vector<Check> AloneChecks();
+// PCs with Secure Boot start what is signed.
+std::vector<Check> SecureBootChecks();
+// The box on a USB stick and on an SD card, as its only disk.
+std::vector<Check> MediumChecks();
 // A changed root is refused, and UEFI starts the disk.
 std::vector<Check> DiskChecks();
 // The PC's power button, in a show and in service.

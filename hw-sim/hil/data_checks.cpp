@@ -174,6 +174,18 @@ Result<void> AwaitKeptJournal(Scene& scene) {
   return {};
 }
 
+// Of what journalctl(1) says: "Archived and active journals take up 8.0M in the file system."; 0 where it does not.
+double JournalIn_mb(const std::string& said) {
+  constexpr std::string_view kBefore = "take up ";
+  constexpr double kMebi = 1.048576;
+  const auto at = said.find(kBefore);
+  if (at == std::string::npos) return 0;
+  char* unit = nullptr;
+  const double size = std::strtod(said.c_str() + at + kBefore.size(), &unit);
+  if (*unit == 'G') return size * 1024 * kMebi;
+  return *unit == 'M' ? size * kMebi : *unit == 'K' ? size / 1024 * kMebi : 0;
+}
+
 // Two evenings with a power cut between them: the second knows what was said in the first, and that it is the
 // same box.
 Result<void> KeepsTheJournal(Scene& scene) {
@@ -199,6 +211,8 @@ Result<void> KeepsTheJournal(Scene& scene) {
         fmt::format("the box has another number after a power cut: {} and {}", number[0], number[1]));
   scene.finding.said = "what the stage said before a power cut stands in the journal after it";
   scene.finding.texts.emplace_back("the room that the journal takes", usage[1]);
+  if (const double kept_mb = JournalIn_mb(usage[1]); kept_mb > 0)
+    scene.finding.figures["journal_kept_mb"] = kept_mb;
   return {};
 }
 

@@ -84,9 +84,10 @@ Result<void> QemuDriver::Start() {
   if (!of_the_image) return tl::unexpected(of_the_image.error());
   const auto disk = Disk();
   if (!disk) return tl::unexpected(disk.error());
-  const std::string line = setup_.agent
-                               ? BenchCommandLine(*of_the_image) + (setup_.bench_kernel ? kControllers : "")
-                               : LoggedCommandLine(*of_the_image, options_.log_level);
+  const std::string shipped = setup_.disk_bus == DiskBus::kUsb ? OnUsb(*of_the_image) : *of_the_image;
+  const std::string line =
+      setup_.agent ? BenchCommandLine(shipped, BenchDisk(setup_)) + (setup_.bench_kernel ? kControllers : "")
+                   : LoggedCommandLine(shipped, options_.log_level);
   std::error_code ignored;
   for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp"})
     std::filesystem::remove(old, ignored);  // Of the machine before.

@@ -17,6 +17,8 @@ namespace {
 constexpr int kUsbPorts = 8;
 // Debian's package ovmf.
 constexpr const char* kFirmware = "/usr/share/ovmf/OVMF.fd";
+// The same with Secure Boot, whose variables only it can write, in system management mode.
+constexpr const char* kSecureFirmware = "/usr/share/OVMF/OVMF_CODE_4M.secboot.fd";
 
 // The value of the last word "name=value"; empty where there is none.
 std::string WordOf(const std::string& line, const std::string& name) {
@@ -54,6 +56,12 @@ void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::strin
                                       setup.keeps_disk ? "cache=writethrough" : "snapshot=on")});
   if (setup.disk_bus == DiskBus::kSata) return Add(command, {"-device", "ide-hd,drive=disk"});
   if (setup.disk_bus == DiskBus::kNvme) return Add(command, {"-device", "nvme,drive=disk,serial=1"});
+  // A controller of its own, so that the rig's has its ports for itself.
+  if (setup.disk_bus == DiskBus::kUsb)
+    return Add(command, {"-device", "qemu-xhci,id=medium", "-device",
+                         "usb-storage,drive=disk,bus=medium.0,id=medium-disk"});
+  if (setup.disk_bus == DiskBus::kSd)
+    return Add(command, {"-device", "sdhci-pci", "-device", "sd-card,drive=disk"});
   Add(command, {"-device", "virtio-blk-pci,drive=disk"});
 }
 
@@ -70,10 +78,19 @@ void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<s
                 std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
 }
 
+// Two flash chips: the firmware, and what it keeps. Waking up from S3 is a way past it, which is shut.
+void AddSecureFirmware(const Setup& setup, std::vector<std::string>& command) {
+  Add(command,
+      {"-global", "driver=cfi.pflash01,property=secure,value=on", "-global", "ICH9-LPC.disable_s3=1"});
+  Add(command, {"-drive", fmt::format("if=pflash,unit=0,format=raw,readonly=on,file={}", kSecureFirmware)});
+  Add(command, {"-drive", "if=pflash,unit=1,format=raw,file=" + setup.variables});
+}
+
 // With firmware the machine starts from its disk, as a real one; else QEMU loads the kernel, which is
 // quicker.
 void AddKernel(const QemuOptions& options, const Setup& setup, const std::string& command_line,
                std::vector<std::string>& command) {
+  if (!setup.variables.empty()) return AddSecureFirmware(setup, command);
   if (setup.firmware) return Add(command, {"-bios", kFirmware});
   Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : ImageOf(options, setup) + "/bzImage"});
   if (!setup.initramfs.empty()) Add(command, {"-initrd", setup.initramfs});
@@ -147,24 +164,35 @@ Result<std::string> ReadCommandLine(const std::string& image) {
   });
 }
 
-std::string BenchCommandLine(const std::string& of_the_image) {
+std::string BenchDisk(const Setup& setup) {
+  return setup.disk_bus == DiskBus::kVirtio ? "/dev/vdb" : "/dev/vda";
+}
+
+std::string OnUsb(std::string line) {
+  constexpr std::string_view kNone = "usbcore.authorized_default=0";
+  if (const std::size_t at = line.find(kNone); at != std::string::npos) line[at + kNone.size() - 1] = '1';
+  return line;
+}
+
+std::string BenchCommandLine(const std::string& of_the_image, const std::string& bench_disk) {
   const auto or_else = [&](const std::string& name, const std::string& otherwise) {
     // The last word counts, as it does for the kernel.
     const std::string value = WordOf(of_the_image, name);
     return value.empty() ? otherwise : value;
   };
   return fmt::format(
-      "{} kaori.root={} kaori.rootfstype={} kaori.init={} root=/dev/vdb rootfstype=ext4 "
+      "{} kaori.root={} kaori.rootfstype={} kaori.init={} root={} rootfstype=ext4 "
       "init=/usr/bin/kaori-hil-agent "
       "console=null",
       of_the_image, or_else("root", "/dev/dm-0"), or_else("rootfstype", "erofs"),
-      or_else("init", "/usr/lib/systemd/systemd"));
+      or_else("init", "/usr/lib/systemd/systemd"), bench_disk);
 }
 
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk) {
   // q35 is a PC with PCI Express and ICH9; the name shows in its threads.
-  std::vector<std::string> command{"qemu-system-x86_64", "-M", "q35", "-name", "box,debug-threads=on"};
+  std::vector<std::string> command{"qemu-system-x86_64", "-M", setup.variables.empty() ? "q35" : "q35,smm=on",
+                                   "-name", "box,debug-threads=on"};
   Add(command, {"-no-reboot", "-vga", "none", "-net", "none"});
   AddProcessors(options, setup, command);
   AddKernel(options, setup, command_line, command);
@@ -179,7 +207,7 @@ std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& se
   }
   Add(command,
       {"-drive", fmt::format("file={},if=none,id=bench,format=raw,readonly=on", options.bench_disk)});
-  Add(command, {"-device", "virtio-blk-pci,drive=bench"});  // /dev/vdb, since it comes second.
+  Add(command, {"-device", "virtio-blk-pci,drive=bench"});  // BenchDisk says its name in the machine.
   Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
   AddUsb(options, command);
   if (setup.sound) AddSound(options, command);

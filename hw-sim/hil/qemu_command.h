@@ -35,7 +35,13 @@ Result<std::string> ReadCommandLine(const std::string& image);
 // The kernel's command line for the bench: that of the image, but the in-guest agent is started first and
 // then becomes what the image names; the serial line is the agent's. The kernel takes the last of equal
 // words, so the image's own stay and count no more; their values go on as kaori.root and the like. Pure.
-std::string BenchCommandLine(const std::string& of_the_image);
+std::string BenchCommandLine(const std::string& of_the_image, const std::string& bench_disk = "/dev/vdb");
+
+// The bench's disk in the machine: the second one on virtio, or the first where the image's is elsewhere. Pure.
+std::string BenchDisk(const Setup& setup);
+
+// The kernel's command line as an image for USB has it: the kernel lets in what it finds there. Pure.
+std::string OnUsb(std::string line);
 
 // The same for a machine without an agent: kernel, systemd and journal write their log to the serial
 // line. `level` is the kernel's loglevel. Pure.

@@ -11,8 +11,9 @@ namespace kaori::hil {
 enum class Graphics { kVirtio, kVirgl, kVga, kNone };
 
 // Where the image's disk is attached: each bus has a driver of its own in the
-// kernel, and another name for the disk.
-enum class DiskBus { kVirtio, kSata, kNvme };
+// kernel, and another name for the disk. kUsb: without firmware the kernel is told
+// to let in what is on USB, as an image for USB has it.
+enum class DiskBus { kVirtio, kSata, kNvme, kUsb, kSd };
 
 // All that differs between the boxes of two checks. Checks with equal setups share a box that plays.
 struct Setup {
@@ -39,9 +40,11 @@ struct Setup {
       0;  // Outputs whose screens can be plugged in and unplugged; 0: one output, whose screen stays.
   int width_px = 0;  // Of the screen; 0: as for the other checks.
   int height_px = 0;
-  std::string image{};          // Another folder with bzImage and cmdline; empty: the bench's.
-  std::string initramfs{};      // Empty: none.
-  std::string disk{};           // Another disk; empty: the image's.
+  std::string image{};      // Another folder with bzImage and cmdline; empty: the bench's.
+  std::string initramfs{};  // Empty: none.
+  std::string disk{};       // Another disk; empty: the image's.
+  // What a firmware with Secure Boot keeps, a file that it writes; empty: a firmware without, which keeps nothing.
+  std::string variables{};
   std::string settings{};       // box.toml; empty: as the image has it.
   std::string last_settings{};  // That which was good before; empty: none.
   friend bool operator==(const Setup&, const Setup&) = default;

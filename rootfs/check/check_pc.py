@@ -21,11 +21,11 @@ LEAST_MEMORY_MB = 256  # What the image's page asks for.
 LEAST_DISK_MB = 978  # The image's default size.
 LEAST_CORES = 2  # What draws 960x540 smoothly without a graphics card.
 SECURE_BOOT = "sys/firmware/efi/efivars/SecureBoot-8be4df61-93ca-11d2-aa0d-00e098032b8c"
+SETUP_MODE = "sys/firmware/efi/efivars/SetupMode-8be4df61-93ca-11d2-aa0d-00e098032b8c"
 
-# Beginnings of PCI device ids of Intel's graphics, by generation. Kernel 6.12 and Mesa 22.3 of the image drive those up to
-# generation 11 (2019) without files of Intel's own; what came later wants firmware that the image does not carry.
+# Beginnings of PCI device ids of Intel's graphics, by generation. Kernel 6.12 and Mesa 22.3 of the image drive these without
+# files of Intel's own; most of what came later wants firmware (docs/image.md).
 INTEL = (
-    ("generation 4 to 5", r"29[6-9b]|2a[04]|2e|004[26]"),
     ("Sandy Bridge, Ivy Bridge", r"01[0-6]"),
     ("Haswell", r"04[0-2]|0[acd][0-2]"),
     ("Bay Trail, Braswell", r"0f3|22b"),
@@ -34,7 +34,15 @@ INTEL = (
     ("Apollo Lake, Gemini Lake", r"0a84|1a8|5a8|318"),
     ("Kaby Lake to Comet Lake", r"59[0-2]|87[0c]|3e[9a]|9b[2ac]|9bf"),
     ("Ice Lake", r"8a[5-7]"),
+    ("Elkhart Lake, Jasper Lake", r"45[457]|4e[567]"),
+    ("Tiger Lake", r"9a[4567cdf]"),
+    ("Rocket Lake", r"4c[89]"),
+    ("Alder Lake-S", r"46[89][0-9a-f]"),
 )
+# Of 2006 to 2010: the kernel drives them, but they draw no GLES 3, and the stage draws nothing else.
+WANT_FILES = {"0x8086": "intel", "0x1002": "amd"}
+INTEL_TOO_OLD = r"29[6-9b]|2a[04]|2e|004[26]"
+STARTS = ("SATA", "NVMe", "virtio", "SD or eMMC", "USB")  # Ways to a disk from which the box starts.
 VENDORS = {"0x8086": "Intel", "0x1002": "AMD", "0x10de": "NVIDIA", "0x1af4": "virtio", "0x1234": "Bochs", "0x1a03": "ASPEED"}
 
 
@@ -88,11 +96,23 @@ def check_firmware(root, findings):
         return
     findings.add("ok", "firmware", "UEFI of 64 bits")
     try:
-        on = (root / SECURE_BOOT).read_bytes()[-1:] == b"\1"
+        on = (root / SECURE_BOOT).read_bytes()[-1:] == b"\1"  # As is_set, but that nothing is not "off".
     except OSError:
-        findings.add("note", "Secure Boot", "its state cannot be read; it must be off, since nothing is signed yet")
+        findings.add("note", "Secure Boot", "its state cannot be read; it must be off for an image that is not signed")
         return
-    findings.add("NO" if on else "ok", "Secure Boot", "on: switch it off in the firmware's setup, since nothing is signed yet" if on else "off")
+    if on:
+        findings.add("NO", "Secure Boot", "on: switch it off in the firmware's setup, or sign the image with keys of your own and give this PC "
+                     "those keys (./box keys)")
+    else:
+        findings.add("ok", "Secure Boot", "off" + (", and this PC takes the keys of a signed image" if is_set(root / SETUP_MODE) else ""))
+
+
+def is_set(variable):
+    """Whether a variable of the firmware of one byte is 1; not where it cannot be read."""
+    try:
+        return variable.read_bytes()[-1:] == b"\1"
+    except OSError:
+        return False
 
 
 def intel_generation(device):
@@ -108,10 +128,15 @@ def check_graphics(root, findings):
         vendor, device = read(card / "vendor"), read(card / "device")
         name = f"{VENDORS.get(vendor, 'vendor ' + vendor)} {vendor.removeprefix('0x')}:{device.removeprefix('0x')}"
         generation = intel_generation(device) if vendor == "0x8086" else None
-        if generation:
+        if vendor == "0x8086" and re.match(INTEL_TOO_OLD, device.removeprefix("0x")):
+            findings.add("NO", "graphics", f"{name}: too old to draw what the stage draws (GLES 3)")
+        elif generation:
             findings.add("ok", "graphics", f"{name} ({generation}): its driver is in the image; no such PC was tried yet")
         elif vendor in ("0x1af4", "0x1234"):
             findings.add("ok", "graphics", f"{name}: its driver is in the image")
+        elif vendor in WANT_FILES:
+            findings.add("note", "graphics", f"{name}: the processor draws, smoothly at 960x540 with two cores; the card draws with "
+                         f"./box image --graphics {WANT_FILES[vendor]} and files of its maker, if it is not too new (docs/image.md)")
         else:
             findings.add("note", "graphics", f"{name}: the image has no driver for it; the processor draws at the resolution that the "
                          "firmware has lit, smoothly at 960x540 with two cores")
@@ -141,15 +166,16 @@ def check_disks(root, findings):
             continue
         megabytes, way = int(size) * 512 // 10**6, disk_way(block / "device")
         what = f"{block.name}, {megabytes / 1000:.1f} GB by {way}"
-        if way not in ("NVMe", "virtio", "SATA"):
+        if way not in STARTS:
             findings.add("note", "disk", f"{what}: the box does not start from it")
         elif megabytes < LEAST_DISK_MB:
             findings.add("note", "disk", f"{what}: too small, the image has {LEAST_DISK_MB} MB")
         else:
             usable += 1
-            findings.add("ok", "disk", f"{what}. Everything on it is lost when the image is written there")
+            image = " by ./box image --medium usb" if way == "USB" else ""
+            findings.add("note" if image else "ok", "disk", f"{what}. Everything on it is lost when the image is written there{image}")
     if not usable:
-        findings.add("NO", "disk", f"none of {LEAST_DISK_MB} MB or more by SATA or NVMe was found")
+        findings.add("NO", "disk", f"none of {LEAST_DISK_MB} MB or more by {', '.join(STARTS)} was found")
 
 
 def check_sound(root, findings):
@@ -191,7 +217,7 @@ def check_input(root, findings):
 
 def check_watchdog(root, findings):
     names = [read(d / "identity") for d in sorted((root / "sys/class/watchdog").glob("*"))]
-    known = [name for name in names if re.search(r"iTCO|i6300", name)]
+    known = [name for name in names if re.search(r"iTCO|i6300|SP5100", name)]
     if known:
         findings.add("ok", "watchdog", f"{known[0]}: a box whose first program hangs starts again by itself")
     else:

@@ -4,6 +4,8 @@
 readonly IMAGE_PACKAGES=(
   mmdebstrap erofs-utils e2fsprogs cryptsetup-bin gdisk dosfstools mtools zstd xz-utils python3 binutils
   linux-source-6.12 make gcc ccache flex bison bc libelf-dev libssl-dev lz4)
+readonly KEYS_PACKAGES=(openssl efitools sbsigntool)
+readonly SECURE_BOOT_KEYS=out/keys/secure-boot
 readonly LISTS_RENEWED=out/image/packages.asked
 readonly BOOT_PACKAGES=(qemu-system-x86 python3)
 
@@ -30,32 +32,47 @@ name_stale() {
   exec rootfs/image/stale.py --list "$listed"
 }
 
+# Makes the keys for PCs' Secure Boot, once: keys [FOLDER]
+keys() {
+  local folder=$SECURE_BOOT_KEYS
+  [[ $# -le 1 && ${1:-} != -* ]] || fail "keys takes the name of one FOLDER; see ./box help"
+  [ $# -eq 0 ] || folder=$(from_caller "$1")
+  need python3 "${KEYS_PACKAGES[@]}"
+  rootfs/image/secure_boot.py keys "$folder" || fail "no keys were made; the reason stands above"
+  say "the keys are in $folder; whoever has those that end in .key can sign for your boxes, so keep them where nobody else comes"
+}
+
 # shellcheck disable=SC2120  # ./box gives it its words.
 image() {
-  local out=out/image programs='' disk='' pack='' firmware='' trust='' value stale=''
+  local out=out/image programs='' disk='' pack='' firmware='' trust='' value stale='' option
+  local medium='' graphics='' gpu_firmware='' secure_boot=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --stale ]; then stale=yes; shift; continue; fi
-    [[ $1 =~ ^--(out|programs|disk|pack|firmware|trust)$ ]] || fail "image knows no $1; see ./box help"
+    [[ $1 =~ ^--(out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot)$ ]] || fail "image knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
-    [ "$1" = --disk ] || value=$(from_caller "$2")
-    local "${1#--}=$value"
+    [[ $1 =~ ^--(disk|medium|graphics)$ ]] || value=$(from_caller "$2")
+    option=${1#--}
+    local "${option//-/_}=$value"
     shift 2
   done
   if [ -n "$stale" ]; then
-    [ -z "$programs$disk$pack$firmware$trust" ] || fail "image --stale looks at an image and builds none; it takes --out alone"
+    [ -z "$programs$disk$pack$firmware$trust$medium$graphics$gpu_firmware$secure_boot" ] ||
+      fail "image --stale looks at an image and builds none; it takes --out alone"
     name_stale "$out"
   fi
   [ -z "$pack" ] || is_show "$pack"
   [ -n "$trust" ] || [ ! -f $COMPANY.pub ] || trust=$COMPANY.pub
   [ -z "$trust" ] || [ -f "$trust" ] || fail "there is no key $trust; ./box show key makes one"
   need "${BUILD_PACKAGES[@]}" "${IMAGE_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
+  [ -z "$secure_boot" ] || need "${KEYS_PACKAGES[@]}"
   # Security updates reach an image by apt's lists; those of yesterday are renewed.
   [ -n "$(find $LISTS_RENEWED -mtime -1 2>/dev/null)" ] || renew_lists -n
   [ -n "$programs" ] || build release programs kaori-bench
   [ -z "$pack" ] || choose_pack "$pack"
   rootfs/image/build --out "$out" --programs "${programs:-$BIN}" --kept out/image ${disk:+--disk "$disk"} \
-    ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ${trust:+--trust "$trust"} ||
+    ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ${trust:+--trust "$trust"} ${medium:+--medium "$medium"} \
+    ${graphics:+--graphics "$graphics"} ${gpu_firmware:+--gpu-firmware "$gpu_firmware"} ${secure_boot:+--secure-boot "$secure_boot"} ||
     fail "the image could not be built; the reason stands above"
 }
 

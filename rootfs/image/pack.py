@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, OUT/cmdline-b, and a report of sizes.
 
-    pack.py OUT PACKAGES REPORT.json [DISK_MIB] [--unweighed]
+    pack.py OUT PACKAGES REPORT.json [DISK_MIB] [--unweighed] [--medium usb] [--secure-boot KEYS]
 
 The data partition gets what the others leave of the disk. Unweighed: nobody asks what a download weighs, which takes as
-long as all the rest.
+long as all the rest. Medium usb: an image that starts from a stick too. KEYS: a folder of secure_boot.py's, which signs.
 """
 
+import argparse
 import json
 import os
 import subprocess
@@ -40,6 +41,7 @@ LAYOUT = (
 )
 LEAST_DATA_MIB = 16
 UNWEIGHED = "--unweighed"
+DISK, USB = "disk", "usb"  # Media from which an image is to start.
 ALIGNED_MIB = 1  # Partitions begin on whole MiB; one more at each end holds the table.
 
 
@@ -77,14 +79,16 @@ def hash_root(out, image):
     return tree, next(line.split()[-1] for line in shown.splitlines() if line.startswith("Root hash"))
 
 
-def command_line(image, root_hash, slot):
-    """The kernel itself sets up the verified root: there is no initramfs. The tree's first block is its header."""
+def command_line(image, root_hash, slot, medium=DISK):
+    """The kernel itself sets up the verified root: no program runs before. The tree's first block is its header.
+
+    A kernel that is to find its root on USB lets in what is plugged in there; kaori-boot, its first program, ends that."""
     blocks = image.stat().st_size // BLOCK
     ids = {name: uuid for name, _, _, uuid in LAYOUT}
     root, tree = f"PARTUUID={ids[f'root-{slot}']}", f"PARTUUID={ids[f'verity-{slot}']}"
     table = f"0 {blocks * BLOCK // SECTOR} verity 1 {root} {tree} {BLOCK} {BLOCK} {blocks} 1 {DIGEST} {root_hash} {SALT}"
     return f'dm-mod.waitfor={root},{tree} dm-mod.create="root,,,ro,{table}" root=/dev/dm-0 rootfstype=erofs ro ' \
-           "init=/usr/bin/kaori-boot usbcore.authorized_default=0 quiet loglevel=3 panic=5 " \
+           f"init=/usr/bin/kaori-boot usbcore.authorized_default={int(medium == USB)} quiet loglevel=3 panic=5 " \
            f"rauc.slot={slot.upper()}"
 
 
@@ -146,16 +150,27 @@ def folder_bytes(folder):
     return sum(sizes.values())
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("out", "packages", "report"):
+        parser.add_argument(name, type=Path)
+    parser.add_argument("disk_mib", type=int, nargs="?")
+    parser.add_argument(UNWEIGHED, action="store_true")
+    parser.add_argument("--medium", choices=(DISK, USB), default=DISK)
+    parser.add_argument("--secure-boot", type=Path)
+    return parser.parse_args()
+
+
 def main():
-    words = [word for word in sys.argv[1:] if word != UNWEIGHED]
-    out, packages, written = (Path(word) for word in words[:3])
-    layout = laid_out(int(words[3]) if len(words) > 3 else None)
+    args = arguments()
+    out = args.out
+    layout = laid_out(args.disk_mib)
     sizes_mib = {name: size for name, size, _, _ in layout}
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
     for slot in esp.SLOTS:
-        (out / esp.command_line_name(slot)).write_text(command_line(image, root_hash, slot) + "\n")
-    boot = esp.make(out, packages, sizes_mib["boot"])
+        (out / esp.command_line_name(slot)).write_text(command_line(image, root_hash, slot, args.medium) + "\n")
+    boot = esp.make(out, args.packages, sizes_mib["boot"], args.secure_boot)
     data = make_data(out, sizes_mib["data"])
     write_disk(out, layout, {"boot": boot, "data": data, **{f"root-{slot}": image for slot in esp.SLOTS},
                             **{f"verity-{slot}": tree for slot in esp.SLOTS}})
@@ -165,10 +180,12 @@ def main():
              "graphics": sum(f.stat().st_size for f in (out / "root").rglob("libLLVM*") if not f.is_symlink())
              + next((out / "root").rglob("swrast_dri.so")).stat().st_size,
              "show": (out / "root/usr/share/kaori/kaori.kaori").stat().st_size}
-    report = {"root_hash": root_hash, "parts_mb": {name: round(size / 1e6, 1) for name, size in in_mb.items()}}
-    if UNWEIGHED not in sys.argv:
+    if (out / esp.INITRAMFS).is_file():
+        in_mb["gpu_firmware"] = (out / esp.INITRAMFS).stat().st_size
+    report = {"root_hash": root_hash, "signed": bool(args.secure_boot), "medium": args.medium, "parts_mb": {name: round(size / 1e6, 1) for name, size in in_mb.items()}}
+    if not args.unweighed:
         report["compressed_mb"] = round(compressed_bytes(kernel, image, tree) / 1e6, 1)
-    written.write_text(json.dumps(report, indent=2) + "\n")
+    args.report.write_text(json.dumps(report, indent=2) + "\n")
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from typing import NamedTuple
 import cyclonedx
 import debs
 import licences
+import secure_boot
 import spdx
 import stale
 
@@ -32,6 +33,8 @@ SHOW = (f"{SHARED}/kaori.kaori", f"{SHARED}/still.ppm")
 OWN = (f"{SHARED}/surfaces/", f"{SHARED}/firmware/", f"{BOOT}/loader/")
 LOADER = (f"{BOOT}/EFI/BOOT/BOOTX64.EFI", "usr/lib/systemd/boot/efi/systemd-bootx64.efi")
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
+KEYS = (f"{SHARED}/keys/", f"{BOOT}/loader/keys/")
+GPU_FIRMWARE = "usr/lib/firmware/"
 
 
 class File(NamedTuple):
@@ -95,13 +98,16 @@ def owner(places, owners, path):
     """Which part a file of the image belongs to; None where nothing is known of it, or it is not what it should be."""
     here = places.out / path if path.startswith(f"{BOOT}/") else places.out / "root" / path
     if path == LOADER[0]:
-        return owners.get(LOADER[1]) if is_same(here, places.packages / LOADER[1]) else None
+        unsigned = places.packages / LOADER[1]
+        return owners.get(LOADER[1]) if is_same(here, unsigned) or secure_boot.is_signed(here, unsigned) else None
     if path.startswith(MADE) or path in debs.MERGED:
         return "made"
     if path in SHOW:
         return "show"
-    if path.startswith(f"{SHARED}/keys/") and path.endswith(".pub"):
+    if path.startswith(KEYS) and path.endswith((".pub", ".auth")):
         return "keys"
+    if path.startswith(GPU_FIRMWARE):
+        return "gpu-firmware"
     if os.path.lexists(places.overlay / path):
         return "own" if is_same(here, places.overlay / path) else None
     if path.startswith(OWN) or os.path.dirname(path) == "usr/bin" and (places.programs / os.path.basename(path)).is_file():
@@ -143,7 +149,9 @@ def of_project(places, found):
              ("stand-ins", "kaori-stand-ins", "libraries without functions, of the names of others", OWN_LICENCE),
              ("made", "kaori-made", "what the build made: kernels with their command lines, compiled shaders, lists", "NOASSERTION"),
              ("show", "kaori-show", "the show, and a picture of its first moment", "NOASSERTION"),
-             ("keys", "kaori-keys", "public keys whose shows the box plays", "NOASSERTION"))
+             ("keys", "kaori-keys", "public keys: whose shows the box plays, what a PC's Secure Boot enrols", "NOASSERTION"),
+             ("gpu-firmware", "gpu-firmware", "files of the makers of graphics cards, as whoever built the image gave them; their "
+              "licences are their makers', and go along with the files", "NOASSERTION"))
     for key, name, what, licence in kinds:
         if key in found:
             yield Part(name, version, what, licence, "NOASSERTION", None, found[key], False)

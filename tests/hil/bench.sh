@@ -4,7 +4,7 @@
 # What looks at devices in the guest; the firmware; what a check runs on this machine.
 readonly MACHINE_PACKAGES=(e2fsprogs dosfstools exfatprogs evtest v4l-utils gpiod alsa-utils usbutils ovmf)
 readonly WINDOW_PACKAGES=(xvfb qemu-system-gui)  # What draws for the guest.
-readonly LONG_PACKAGES=(cpio zstd xz-utils dosfstools mtools)  # What the long mode's checks call.
+readonly LONG_PACKAGES=(cpio zstd xz-utils dosfstools mtools openssl efitools sbsigntool)  # What the long mode's checks call.
 readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 readonly PLAIN_SHOW=out/plain.kaori
 readonly STICKS=out/sticks
@@ -100,6 +100,7 @@ run_all_checks() {
   run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
+  tests/system/company_report.py out
 }
 
 # --chosen: what runs each time.

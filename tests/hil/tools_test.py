@@ -27,6 +27,7 @@ TOOLS = {
     "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mkfs.exfat": "exfatprogs", "mcopy": "mtools", "mmd": "mtools",
     "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
     "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
+    "openssl": "openssl", "sbsign": "sbsigntool", "cert-to-efi-sig-list": "efitools", "sign-efi-sig-list": "efitools",
     "qemu-system-x86_64": "qemu-system-x86", "Xvfb": "xvfb",
     "evtest": "evtest", "v4l2-ctl": "v4l-utils", "v4l2-compliance": "v4l-utils", "gpiodetect": "gpiod", "gpioinfo": "gpiod",
     "arecord": "alsa-utils", "aplay": "alsa-utils", "amixer": "alsa-utils", "lsusb": "usbutils",
@@ -37,7 +38,7 @@ BUILTINS = set("[ [[ ]] : . source exit return local declare readonly export set
                "break continue if then else elif fi for while until do done case esac in function select time { } ! coproc".split())
 SHELL = ("box", "*.sh", "rootfs/image/build", "rootfs/image/keep_control", "rootfs/image/progress", "rootfs/image/kernel/build", "tests/hil/bench_disk",
          "tests/hil/usual_image")
-PYTHON = ("rootfs/image/*.py", "tests/hil/*.py")
+PYTHON = ("rootfs/image/*.py", "tests/hil/*.py", "tests/hil/boot_variants")
 CPP = "hw-sim/hil/*.cpp"
 PREFIXES = ("exec", "nice", "time", "command", "!", "if", "while", "until", "then", "else", "elif", "do", "env", "timeout", "sudo")
 

@@ -45,6 +45,11 @@ TEST(BenchCommandLine, KnowsWhatIsUsualWhereTheImageSaysNothing) {
   EXPECT_EQ(agent::OnCommandLine("quiet", "kaori.init"), "");
 }
 
+TEST(OnUsb, LetsTheKernelFindItsRootOnUsbAndChangesNothingElse) {
+  EXPECT_EQ(OnUsb("a usbcore.authorized_default=0 quiet"), "a usbcore.authorized_default=1 quiet");
+  EXPECT_EQ(OnUsb("quiet"), "quiet");
+}
+
 TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
   const auto command =
       QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, {}, "line", "i/kaori.disk");
@@ -54,6 +59,23 @@ TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
   EXPECT_THAT(command, ::testing::Contains("file=i/kaori.disk,if=none,id=disk,format=raw,snapshot=on"))
       << "nothing is written to it";
   EXPECT_THAT(command, ::testing::Contains("file=b,if=none,id=bench,format=raw,readonly=on"));
+}
+
+TEST(QemuCommand, OnUsbHasTheDiskOnAControllerOfItsOwn) {
+  const kaori::hil::Setup on_usb{.disk_bus = DiskBus::kUsb};
+  const auto command = QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, on_usb, "line", "d");
+  EXPECT_THAT(command, ::testing::Contains("usb-storage,drive=disk,bus=medium.0,id=medium-disk"));
+  EXPECT_EQ(BenchDisk(on_usb), "/dev/vda") << "it is the only one on virtio";
+  EXPECT_EQ(BenchDisk({}), "/dev/vdb");
+}
+
+TEST(QemuCommand, WithSecureBootHasTwoFlashChipsAndNoOtherFirmware) {
+  const auto command = QemuCommand({.image = "i", .folder = "/f"},
+                                   {.agent = false, .firmware = true, .variables = "/f/kept"}, "line", "d");
+  EXPECT_THAT(command, ::testing::Contains("if=pflash,unit=1,format=raw,file=/f/kept"));
+  EXPECT_THAT(command, ::testing::Contains("q35,smm=on"));
+  EXPECT_THAT(command, Not(::testing::Contains("-bios")));
+  EXPECT_THAT(command, Not(::testing::Contains("-kernel")));
 }
 
 class Folder : public ::testing::Test {

@@ -89,6 +89,11 @@ class CheckPc(unittest.TestCase):
         self.assertEqual(self.pc.verdicts("NO"), [("NO", "Secure Boot")])
         self.assertIn("switch it off", self.sentence("Secure Boot"))
 
+    def test_a_pc_without_keys_takes_those_of_an_image(self):
+        self.assertEqual(self.sentence("Secure Boot"), "off")
+        self.pc.write(check_pc.SETUP_MODE, b"\6\0\0\0\1")
+        self.assertIn("takes the keys", self.sentence("Secure Boot"))
+
     def test_32_bits_will_not_do(self):
         self.pc.write("proc/cpuinfo", "processor\t: 0\nflags\t: fpu\n")
         self.pc.write("sys/firmware/efi/fw_platform_size", "32\n")
@@ -98,10 +103,20 @@ class CheckPc(unittest.TestCase):
         self.pc.write("proc/meminfo", "MemTotal:        120000 kB\n")
         self.assertEqual(self.pc.verdicts("NO"), [("NO", "memory")])
 
-    def test_a_usb_disk_alone_will_not_do(self):
+    def test_a_usb_disk_alone_wants_an_image_made_for_it(self):
         self.pc.remove("sys/block/nvme0n1")
         self.pc.disk("sda", "devices/pci0000:00/usb1/1-1/host0", 64_000_000_000)
-        self.assertEqual(self.pc.verdicts("NO"), [("NO", "disk")])
+        self.assertEqual(self.pc.verdicts("NO"), [])
+        self.assertIn("--medium usb", self.sentence("disk"))
+
+    def test_emmc_will_do(self):
+        self.pc.remove("sys/block/nvme0n1")
+        self.pc.disk("mmcblk0", "devices/pci0000:00/0000:00:1c.0/mmc_host/mmc0/mmc0:0001", 32_000_000_000)
+        self.assertEqual(self.pc.verdicts("NO", "note"), [("note", "camera")])
+
+    def test_graphics_that_are_too_old_will_not_do(self):
+        self.pc.graphics("0x8086", "0x2a42")
+        self.assertEqual(self.pc.verdicts("NO"), [("NO", "graphics")])
 
     def test_a_disk_that_is_too_small_will_not_do(self):
         self.pc.remove("sys/block/nvme0n1")
@@ -114,6 +129,7 @@ class CheckPc(unittest.TestCase):
             self.pc.graphics(vendor, device)
             self.assertIn(("note", "graphics"), self.pc.verdicts("note"), name)
             self.assertIn(name, self.sentence("graphics"))
+            self.assertEqual("--graphics" in self.sentence("graphics"), name != "NVIDIA")
         self.pc.graphics("0x8086", "0x0166")
         self.assertIn("Ivy Bridge", self.sentence("graphics"))
 

@@ -3,6 +3,7 @@
 image_test.py REPOSITORY"""
 
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -15,7 +16,9 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(REPOSITORY / "rootfs/image"))
 import esp  # noqa: E402  The image's own, all of these.
 import fat  # noqa: E402
+import gpu_firmware  # noqa: E402
 import pack  # noqa: E402
+import secure_boot  # noqa: E402
 import shader_store  # noqa: E402
 
 
@@ -45,6 +48,118 @@ class Image(unittest.TestCase):
             self.assertIn("--out wants a value", refusal(build, "--out"))
             self.assertIn(f"there is no update of a surface in {folder}", refusal(build, *usual, "--firmware", folder))
             self.assertIn("there is no show at", refusal(build, *usual[:4], "--pack", f"{folder}/none"))
+            self.assertIn("--medium tape: expected usb or disk", refusal(build, *usual, "--medium", "tape"))
+            self.assertIn("--graphics voodoo: expected intel, amd or all", refusal(build, *usual, "--graphics", "voodoo"))
+            self.assertIn("--gpu-firmware wants --graphics", refusal(build, *usual, "--gpu-firmware", folder))
+            self.assertIn("has no db.key; ./box keys makes keys", refusal(build, *usual, "--secure-boot", folder))
+
+
+class Medium(unittest.TestCase):
+    def test_only_an_image_for_usb_lets_the_kernel_look_there(self):
+        with tempfile.NamedTemporaryFile() as root:
+            root.write(bytes(pack.BLOCK))
+            root.flush()
+            disk, usb = (pack.command_line(Path(root.name), "ab12", "a", medium).split() for medium in (pack.DISK, pack.USB))
+        self.assertEqual([pair for pair in zip(disk, usb) if pair[0] != pair[1]],
+                         [("usbcore.authorized_default=0", "usbcore.authorized_default=1")])
+
+
+class GpuFirmware(unittest.TestCase):
+    """Files that whoever builds the image has; of them those that a driver asks for."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        os.environ["SOURCE_DATE_EPOCH"] = "1767225600"
+        for name in ("lib/firmware/amdgpu/a_mc.bin", "i915/b_guc.bin", "lib/firmware/iwlwifi.ucode"):
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / name).write_text(name)
+
+    def test_is_taken_by_name_from_a_folder_or_an_unpacked_package(self):
+        found = gpu_firmware.chosen(self.folder, ["amdgpu/a_mc.bin", "amdgpu/none.bin", "i915/b_guc.bin"])
+        self.assertEqual(found, {"amdgpu/a_mc.bin": self.folder / "lib/firmware/amdgpu/a_mc.bin",
+                                 "i915/b_guc.bin": self.folder / "i915/b_guc.bin"})
+
+    def test_becomes_an_archive_that_cpio_unpacks_to_the_same(self):
+        files = gpu_firmware.chosen(self.folder, ["amdgpu/a_mc.bin", "i915/b_guc.bin"])
+        packed = gpu_firmware.archive(files)
+        self.assertEqual(packed, gpu_firmware.archive(files), "made again it is another")
+        listed = subprocess.run(["python3", "-c", UNPACK], input=packed, capture_output=True, check=True).stdout.decode().splitlines()
+        self.assertEqual(listed, ["lib", "lib/firmware", "lib/firmware/amdgpu", "lib/firmware/i915",
+                                  "lib/firmware/amdgpu/a_mc.bin lib/firmware/amdgpu/a_mc.bin", "lib/firmware/i915/b_guc.bin i915/b_guc.bin"])
+
+    def test_that_no_driver_asks_for_is_refused(self):
+        names = self.folder / "names"
+        names.write_text("amdgpu/other.bin\n")
+        said = refusal(REPOSITORY / "rootfs/image/gpu_firmware.py", self.folder, names, self.folder / "out")
+        self.assertIn("has no file that a driver of this kernel asks for", said)
+
+
+# A reader of cpio's form "newc" by its description: folders by their names, files with what is in them.
+UNPACK = """
+import sys
+data, at = sys.stdin.buffer.read(), 0
+while data[at:at + 6] == b"070701":
+    mode, size, name_size = (int(data[at + 6 + 8 * n:at + 14 + 8 * n], 16) for n in (1, 6, 11))
+    name = data[at + 110:at + 109 + name_size].decode()
+    body = at + (110 + name_size + 3) // 4 * 4
+    if name == "TRAILER!!!":
+        break
+    print(name, data[body:body + size].decode()) if mode & 0o100000 else print(name)
+    at = body + (size + 3) // 4 * 4
+"""
+
+
+def efi_program(code):
+    """A program for UEFI of one section (Microsoft's PE/COFF specification), as long as a whole number of its alignments."""
+    aligned, head, at = 512, 1024, 0x1000
+    size = -(-len(code) // aligned) * aligned
+    coff = struct.pack("<4sHHIIIHH", b"PE", 0x8664, 1, 0, 0, 0, 240, 0x22E)
+    optional = struct.pack("<HBBIIIII", 0x20B, 1, 0, size, 0, 0, at, at) + \
+        struct.pack("<QIIHHHHHHIIIIHHQQQQII", 0, 0x1000, aligned, 0, 0, 0, 0, 0, 0, 0, at + size, head, 0, 10, 0, 0, 0, 0, 0, 0, 16) + bytes(128)
+    section = struct.pack("<8sIIIIIIHHI", b".text", len(code), at, size, head, 0, 0, 0, 0, 0x60000020)
+    return (b"MZ" + bytes(58) + struct.pack("<I", 64) + coff + optional + section).ljust(head, b"\0") + code.ljust(size, b"\0")
+
+
+@unittest.skipUnless(all(map(shutil.which, ("openssl", "sbsign", "cert-to-efi-sig-list"))), "openssl, sbsigntool or efitools is not there")
+class SecureBoot(unittest.TestCase):
+    """A small program in place of loader and kernel."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.keys = cls.folder / "keys"
+        secure_boot.make_keys(cls.keys)
+        cls.program = cls.folder / "program.efi"
+        cls.program.write_bytes(efi_program(bytes(range(256)) * 8))
+        cls.signed = cls.folder / "signed.efi"
+        shutil.copyfile(cls.program, cls.signed)
+        secure_boot.sign(cls.signed, cls.keys)
+
+    def test_keys_are_whole_and_made_once(self):
+        self.assertIsNone(secure_boot.missing(self.keys))
+        self.assertEqual((self.keys / "db.key").stat().st_mode & 0o77, 0, "others may read a secret key")
+        self.assertIn("keys are made once", refusal(REPOSITORY / "rootfs/image/secure_boot.py", "keys", self.keys))
+
+    def test_a_signature_is_as_long_as_was_said(self):
+        room = secure_boot.signature_bytes(self.program, self.keys)
+        self.assertEqual(self.signed.stat().st_size, -(-self.program.stat().st_size // 8) * 8 + room)
+
+    def test_what_is_signed_is_still_the_same_program(self):
+        self.assertTrue(secure_boot.is_signed(self.signed, self.program))
+        self.assertFalse(secure_boot.is_signed(self.program, self.program), "it has no signature")
+        content = bytearray(self.signed.read_bytes())
+        content[len(content) // 4] ^= 1
+        changed = self.folder / "changed.efi"
+        changed.write_bytes(content)
+        self.assertFalse(secure_boot.is_signed(changed, self.program))
+
+    def test_the_loaders_settings_name_enrolling_where_there_are_keys(self):
+        self.assertIn("secure-boot-enroll manual\n", esp.settings("a", signed=True))
+        self.assertEqual(len(esp.settings("a", signed=True)), 512)
+        self.assertNotIn("secure-boot-enroll", esp.settings("a"))
 
 
 class Slots(unittest.TestCase):

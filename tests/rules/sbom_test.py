@@ -147,6 +147,16 @@ class Listed(SmallImage):
         self.assertEqual(texts["LicenseRef-tool-copyright"], "Copyright: somebody. Do as you like.")
         self.assertIn("Do as you like.", (self.folder / "image.licences.txt").read_text())
 
+    def test_files_of_graphics_cards_makers_and_keys_are_parts_of_their_own(self):
+        write(self.root / "usr/lib/firmware/amdgpu/polaris10_mc.bin", "of its maker")
+        write(self.folder / "image/boot/loader/keys/auto/PK.auth", "a key")
+        document = self.listed(".spdx.json")
+        names = {file["SPDXID"]: file["fileName"] for file in document["files"]}
+        whose = {names[one["relatedSpdxElement"]]: one["spdxElementId"] for one in document["relationships"]
+                 if one["relatedSpdxElement"] in names}
+        self.assertEqual(whose["./usr/lib/firmware/amdgpu/polaris10_mc.bin"], "SPDXRef-part-gpu-firmware")
+        self.assertEqual(whose["./boot/loader/keys/auto/PK.auth"], "SPDXRef-part-kaori-keys")
+
     def test_the_same_image_gives_the_same_bits(self):
         self.run_sbom()
         first = [(self.folder / f"image{ending}").read_bytes() for ending in (".spdx.json", ".cdx.json", ".licences.txt")]

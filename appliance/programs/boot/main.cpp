@@ -24,9 +24,11 @@
 #include "appliance/programs/boot/data_partition.h"
 #include "appliance/programs/boot/known_shaders.h"
 #include "appliance/programs/boot/machine_id.h"
+#include "appliance/programs/boot/pc_faults.h"
 #include "appliance/programs/boot/profile.h"
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
+#include "appliance/programs/boot/usb_medium.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
@@ -230,6 +232,13 @@ void LayOver(const std::string& file, const std::string& setting, const std::str
     Report("the box's own " + setting + " cannot be laid over " + file);
 }
 
+// A box on a USB disk: udev's rules know its devices by these files, and leave them alone.
+void KeepMedium() {
+  const auto medium = kaori::boot::UsbMedium("/sys/class/block");
+  for (const std::string& device : medium) WriteSetting("medium-" + device, {});
+  kaori::boot::DeauthoriseOthers("/sys/bus/usb/devices", medium);
+}
+
 // Lays the box's own number over the root's empty /etc/machine-id, since the journal keeps its files in a folder of that
 // name and systemd would else make up another number at each start; and its name over /etc/hostname, which systemd takes.
 void ApplyIdentity(const std::string& wanted_name) {
@@ -258,7 +267,9 @@ void Boot() {
   const bool keeps = MountData();
   mounted->write_end.reset();
   GiveCards();
+  for (const std::string& fault : kaori::boot::PcFaults(kStill, kData)) Report(fault);
   const std::string wanted_name = ApplySettings();
+  KeepMedium();
   if (keeps) ApplyIdentity(wanted_name);
   if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder))
     Report("Mesa cannot be told which shaders it has");

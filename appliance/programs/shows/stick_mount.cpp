@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/base/root_disk.h"
+
 namespace kaori::shows {
 namespace {
 
@@ -14,6 +16,13 @@ namespace fs = std::filesystem;
 bool IsOnUsb(const fs::path& entry) {
   std::error_code none;
   return fs::canonical(entry, none).string().find("/usb") != std::string::npos;
+}
+
+// A box may have started from a USB disk itself. `root` is that disk's folder.
+bool IsWithin(const fs::path& entry, const fs::path& root) {
+  std::error_code none;
+  const fs::path real = fs::canonical(entry, none);
+  return real == root || real.parent_path() == root;
 }
 
 // The kernel gives a partition a file with its number, and a whole disk none.
@@ -39,8 +48,9 @@ constexpr unsigned long kSafe = MS_NODEV | MS_NOSUID | MS_NOEXEC | MS_NOATIME;
 std::vector<std::string> FindSticks(const fs::path& blocks) {
   std::error_code none;
   std::vector<std::string> sticks;
+  const auto root = DiskOfRoot(blocks);
   for (fs::directory_iterator it(blocks, none), end; !none && it != end; it.increment(none)) {
-    if (!IsOnUsb(it->path())) continue;
+    if (!IsOnUsb(it->path()) || (root && IsWithin(it->path(), *root))) continue;
     if (IsPartition(it->path()) || !HasPartitions(it->path()))
       sticks.push_back(it->path().filename().string());
   }

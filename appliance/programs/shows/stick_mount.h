@@ -13,7 +13,7 @@ namespace kaori::shows {
 
 // The names, as in "sdb1", of what a USB stick offers to be mounted: its partitions, or the whole of one
 // without any. `blocks` is the kernel's list of block devices, /sys/class/block. Disks that are not on USB
-// are never among them.
+// are never among them, nor is the one from which the box started.
 std::vector<std::string> FindSticks(const std::filesystem::path& blocks);
 
 // Mounts on construction and unmounts when it goes; with the process its mount goes in any case, since the

@@ -128,6 +128,9 @@ TEST(Sticks, AreFoundOnUsbAloneAndByTheirPartitions) {
   device("pci/usb1/1-2/sdb/sdb1", true);
   device("pci/usb1/1-3/sdc", false);
   EXPECT_THAT(FindSticks(sys / "class"), ElementsAre("sdb1", "sdc"));
+  fs::create_directories(sys / "class/dm-0/slaves");
+  fs::create_directory_symlink(sys / "pci/usb1/1-2/sdb/sdb1", sys / "class/dm-0/slaves/sdb1");
+  EXPECT_THAT(FindSticks(sys / "class"), ElementsAre("sdc")) << "the box started from the other one";
   fs::remove_all(sys);
 }
 

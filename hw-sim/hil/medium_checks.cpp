@@ -1,0 +1,164 @@
+// A box that starts from a USB stick, which no other stick can be taken for, and from an SD card.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/disk_copy.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::minutes;
+using std::chrono::seconds;
+
+constexpr Duration kMediumAnswer = minutes(2), kLongestMediumStart = minutes(6);
+constexpr Duration kLongestPlayOn =
+    minutes(2);  // For the frames that must come after something was plugged in.
+
+// Its only disk, and the bench's, which the agent needs.
+const Setup kOnUsb{.disk_bus = DiskBus::kUsb};
+const Setup kOnSd{.plugged = false, .sound = false, .agent = false, .disk_bus = DiskBus::kSd};
+
+// QEMU's SD cards are as large as a power of two.
+constexpr std::uintmax_t kSdCard_bytes = std::uintmax_t{1} << 30U;
+
+// Of the USB storage in the machine, as QEMU makes it: the port, and whether it is authorised.
+std::vector<std::pair<std::string, bool>> StorageIn(Scene& scene) {
+  constexpr std::string_view kNumbers = "46f4:0001";
+  const auto devices = scene.target.agent().Ask("usb", kMediumAnswer);
+  std::istringstream lines(devices ? *devices : "");
+  std::vector<std::pair<std::string, bool>> found;
+  std::string port, numbers;
+  for (int authorised = 0; lines >> port >> numbers >> authorised;)
+    if (numbers == kNumbers) found.emplace_back(port, authorised == 1);
+  return found;
+}
+
+Result<void> AwaitMoreFrames(Scene& scene) {
+  constexpr std::uint32_t kFrames = 2;
+  const auto before = scene.target.Board();
+  if (!before) return tl::unexpected(before.error());
+  const auto on = [&](const BoardView& board) {
+    return board.stage.frames >= before->stage.frames + kFrames;
+  };
+  if (auto ok = scene.target.UntilBoard(on, kLongestPlayOn, "see the box play on"); !ok)
+    return tl::unexpected(ok.error());
+  return {};
+}
+
+// Of two sticks, which look the same but for what lies on them, the box's own alone is authorised.
+Result<void> WantOneAuthorised(Scene& scene, const char* when) {
+  const auto storage = StorageIn(scene);
+  if (storage.size() != 2)
+    return FailInput(fmt::format("{}: {} sticks are in the machine, not 2", when, storage.size()));
+  const auto authorised = std::ranges::count_if(storage, [](const auto& one) { return one.second; });
+  if (authorised != 1)
+    return FailInput(fmt::format("{}: {} of 2 sticks are authorised, not 1", when, authorised));
+  return AwaitMoreFrames(scene);
+}
+
+// What udev does when the service key is turned back, which cuts off every stick but the box's own.
+Result<void> TurnKeyBack(Scene& scene) {
+  for (const char* command : {"own /usr/bin/udevadm trigger --action=change --subsystem-match=usb",
+                              "own /usr/bin/udevadm settle --timeout=90"})
+    if (auto ok = scene.target.agent().Ask(command, kMediumAnswer); !ok) return tl::unexpected(ok.error());
+  return {};
+}
+
+Result<void> StartsFromUsb(Scene& scene) {
+  if (auto ok = scene.SwitchOn(kOnUsb); !ok) return ok;
+  // The other stick is there before the kernel looks at USB.
+  if (auto ok = scene.target.machine().PlugUnauthorised(UnauthorisedDevice::kStorage); !ok) return ok;
+  const auto plays = [](const BoardView& board) { return board.stage.live && board.stage.frames > 2; };
+  if (auto ok = scene.target.UntilBoard(plays, kLongestMediumStart, "see the box play from USB"); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = TurnKeyBack(scene); !ok) return ok;  // It also waits until udev has looked at all devices.
+  if (auto ok = WantOneAuthorised(scene, "plugged in before power came"); !ok) return ok;
+  if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
+  const auto alone = [&] { return StorageIn(scene).size() == 1; };
+  if (auto ok = scene.target.Await(alone, kLongestPlayOn, "see the other stick gone"); !ok) return ok;
+  if (auto ok = scene.target.machine().PlugUnauthorised(UnauthorisedDevice::kStorage); !ok) return ok;
+  const auto both = [&] { return StorageIn(scene).size() == 2; };
+  if (auto ok = scene.target.Await(both, kLongestPlayOn, "see the other stick again"); !ok) return ok;
+  if (auto ok = TurnKeyBack(scene); !ok) return ok;
+  if (auto ok = WantOneAuthorised(scene, "plugged in while it plays"); !ok) return ok;
+  scene.finding.said =
+      "another stick stayed unauthorised, plugged in before power came and after; the box played on";
+  return scene.ShootFace("usb-medium", "a box on a USB stick");
+}
+
+Result<void> PlaysFromUsb(Scene& scene) {
+  auto ok = StartsFromUsb(scene);
+  scene.target.machine().Off();
+  return ok;
+}
+
+// The control: on a disk of its own no stick at all is authorised, so that the wish for one is seen to be wrong.
+Result<void> OtherwiseNoStickIs(Scene& scene) {
+  if (auto ok = scene.SwitchOn({}); !ok) return ok;
+  const auto plays = [](const BoardView& board) { return board.stage.live && board.stage.frames > 2; };
+  auto ok = scene.target.UntilBoard(plays, kLongestMediumStart, "see the box play").map([](const auto&) {});
+  if (ok) ok = scene.target.machine().PlugUnauthorised(UnauthorisedDevice::kStorage);
+  if (ok) ok = scene.target.Await([&] { return !StorageIn(scene).empty(); }, kLongestPlayOn, "see a stick");
+  if (ok) ok = TurnKeyBack(scene);
+  if (ok)
+    ok = WantFoundWrong(WantOneAuthorised(scene, "on another disk"),
+                        "a stick is authorised on another disk too");
+  scene.target.machine().Off();
+  return ok;
+}
+
+// Starts from a card with what the disk holds, which is gone afterwards.
+Result<void> WantStageFrom(Scene& scene, const std::string& card, Duration longest) {
+  std::error_code failed;
+  std::filesystem::resize_file(card, kSdCard_bytes, failed);
+  if (failed) return Fail(std::errc::io_error, "lengthen " + card);
+  Setup setup = kOnSd;
+  setup.disk = card;
+  auto ok = scene.SwitchOn(setup);
+  if (ok && !scene.target.UntilConsole({"Started ", "kaori-stage"}, longest))
+    ok = FailInput("the stage does not start from the SD card");
+  scene.finding.texts.emplace_back("the box's log", scene.target.machine().console());
+  scene.target.machine().Off();
+  std::filesystem::remove(card, failed);
+  return ok;
+}
+
+Result<void> PlaysFromSd(Scene& scene) {
+  const QemuOptions& options = scene.target.machine().options();
+  const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "sd.disk", "data");
+  if (!copy) return tl::unexpected(copy.error());
+  scene.finding.said = "the stage starts from an SD card, as from eMMC";
+  return WantStageFrom(scene, copy->file, kLongestMediumStart);
+}
+
+// The control: from an empty card nothing starts.
+Result<void> FromAnEmptyCardNothingStarts(Scene& scene) {
+  const std::string card = scene.target.machine().options().folder + "/empty.card";
+  std::ofstream(card).flush();
+  return WantFoundWrong(WantStageFrom(scene, card, seconds(60)),
+                        "the stage starts although the card is empty");
+}
+
+}  // namespace
+
+std::vector<Check> MediumChecks() {
+  return {{.name = "usb-medium",
+           .sentence = "The box starts from a USB stick, and other sticks stay unauthorised",
+           .run = PlaysFromUsb,
+           .setup = kOnUsb,
+           .control = OtherwiseNoStickIs,
+           .powers = true},
+          {.name = "sd-medium",
+           .sentence = "The box starts from an SD card",
+           .run = PlaysFromSd,
+           .setup = kOnSd,
+           .control = FromAnEmptyCardNothingStarts,
+           .powers = true}};
+}
+
+}  // namespace kaori::hil
