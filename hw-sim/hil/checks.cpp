@@ -76,9 +76,9 @@ std::vector<Check> AllChecks() {
        {ScreenChecks(),   PlayChecks(),          InputChecks(),     LatencyChecks(), CameraChecks(),
         LineChecks(),     SoundChecks(),         LibcameraChecks(), CableChecks(),   HangChecks(),
         ToolChecks(),     AuthorisationChecks(), AloneChecks(),     SpeedChecks(),   GadgetChecks(),
-        LoopChecks(),     SamplingChecks(),      DisplayChecks(),   OutputChecks(),  LastFaceChecks(),
-        RecoveryChecks(), PowerChecks(),         StickChecks(),     DataChecks(),    DiskChecks(),
-        StartChecks()})
+        LoopChecks(),     DamagedDiskChecks(),   SamplingChecks(),  DisplayChecks(), OutputChecks(),
+        LastFaceChecks(), RecoveryChecks(),      PowerChecks(),     StickChecks(),   DataChecks(),
+        DiskChecks(),     StartChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
