@@ -62,10 +62,14 @@ void Walk(const fs::path& folder, int depth, Seen& seen) {
   }
 }
 
-Result<void> WriteAt(int fd, std::span<const std::uint8_t> bytes) {
+// The box's kernel mounts no disk that somebody may write to: it is open for this alone.
+Result<void> WriteDisk(std::span<const std::uint8_t> bytes) {
+  const UniqueFd disk(::open(kDisk, O_WRONLY | O_CLOEXEC));
+  if (!disk.valid()) return FailErrno(std::string("open ") + kDisk);
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t put = ::pwrite(fd, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+    const ssize_t put =
+        ::pwrite(disk.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
     if (put < 0 && errno == EINTR) continue;
     if (put <= 0) return FailErrno(std::string("write ") + kDisk);
     done += static_cast<std::size_t>(put);
@@ -73,11 +77,13 @@ Result<void> WriteAt(int fd, std::span<const std::uint8_t> bytes) {
   return {};
 }
 
-Result<std::vector<std::uint8_t>> ReadAt(int fd, std::size_t length) {
+Result<std::vector<std::uint8_t>> ReadDisk(std::size_t length) {
+  const UniqueFd disk(::open(kDisk, O_RDONLY | O_CLOEXEC));
+  if (!disk.valid()) return FailErrno(std::string("open ") + kDisk);
   std::vector<std::uint8_t> bytes(length);
   std::size_t done = 0;
   while (done < length) {
-    const ssize_t got = ::pread(fd, bytes.data() + done, length - done, static_cast<off_t>(done));
+    const ssize_t got = ::pread(disk.get(), bytes.data() + done, length - done, static_cast<off_t>(done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return FailErrno(std::string("read ") + kDisk);
     done += static_cast<std::size_t>(got);
@@ -137,13 +143,12 @@ std::string FaultIn(const std::string& record) {
 Result<void> DamagedDisks::Fill(Kind& kind) {
   const auto empty = ReadFile(kind.image, {.most_bytes = kMostImage_bytes});
   if (!empty) return tl::unexpected(empty.error());
-  if (auto ok = WriteAt(disk_.get(), {reinterpret_cast<const std::uint8_t*>(empty->data()), empty->size()});
-      !ok)
+  if (auto ok = WriteDisk({reinterpret_cast<const std::uint8_t*>(empty->data()), empty->size()}); !ok)
     return ok;
   if (auto ok = Mount(kind.file_system, 0); !ok) return ok;
   WriteFiles();
   if (auto ok = Unmount(); !ok) return ok;
-  auto filled = ReadAt(disk_.get(), empty->size());
+  auto filled = ReadDisk(empty->size());
   if (!filled) return tl::unexpected(filled.error());
   kind.filled = std::move(*filled);
   if (auto ok = Mount(kind.file_system, MS_RDONLY); !ok) return ok;
@@ -156,16 +161,14 @@ Result<void> DamagedDisks::Fill(Kind& kind) {
 }
 
 Result<DamagedDisks> DamagedDisks::Make() {
-  UniqueFd disk(::open(kDisk, O_RDWR | O_CLOEXEC));
-  if (!disk.valid()) return FailErrno(std::string("open ") + kDisk);
   UniqueFd log(::open("/dev/kmsg", O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!log.valid()) return FailErrno("open /dev/kmsg");
   ::lseek(log.get(), 0, SEEK_END);
   std::error_code error;
   fs::create_directories(kAt, error);
-  DamagedDisks made(std::move(disk), std::move(log));
+  DamagedDisks made(std::move(log));
   for (Kind& kind : made.kinds_)
-    if (auto ok = made.Fill(kind); !ok) return tl::unexpected(ok.error());
+    if (auto ok = Fill(kind); !ok) return tl::unexpected(ok.error());
   return made;
 }
 
@@ -177,7 +180,7 @@ Result<std::string> DamagedDisks::Try(std::uint64_t first, std::uint64_t count) 
     const Kind& kind = kinds_[number % kinds_.size()];
     std::vector<std::uint8_t> image = kind.filled;
     Damage(image, kDescribed_bytes, number);
-    if (auto ok = WriteAt(disk_.get(), image); !ok) return tl::unexpected(ok.error());
+    if (auto ok = WriteDisk(image); !ok) return tl::unexpected(ok.error());
     if (Mount(kind.file_system, MS_RDONLY)) {
       ++mounted;
       Seen seen;

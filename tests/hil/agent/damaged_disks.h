@@ -32,10 +32,10 @@ class DamagedDisks {
     std::vector<std::uint8_t> filled{};
   };
 
-  DamagedDisks(UniqueFd disk, UniqueFd log) : disk_(std::move(disk)), log_(std::move(log)) {}
-  Result<void> Fill(Kind& kind);
+  explicit DamagedDisks(UniqueFd log) : log_(std::move(log)) {}
+  static Result<void> Fill(Kind& kind);
 
-  UniqueFd disk_, log_;
+  UniqueFd log_;
   std::array<Kind, 4> kinds_{Kind{"/usr/share/kaori/fat12.img", "vfat"},
                              {"/usr/share/kaori/fat16.img", "vfat"},
                              {"/usr/share/kaori/fat32.img", "vfat"},
