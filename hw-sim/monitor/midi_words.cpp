@@ -30,7 +30,7 @@ std::string InWords(unsigned kind, unsigned number, unsigned value) {
 
 }  // namespace
 
-std::string WordsOf(const board::MidiHeard::Message& message) {
+std::string MidiWords(const board::MidiHeard::Message& message) {
   const unsigned status = message.bytes & 0xFFU;
   const std::string words = InWords(status >> 4U, message.bytes >> 8U & 0x7FU, message.bytes >> 16U & 0x7FU);
   const unsigned channel = (status & 0x0FU) + 1;

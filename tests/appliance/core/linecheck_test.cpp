@@ -204,7 +204,7 @@ TEST_F(LineCheckTest, SaysInOneLineWhatFailed) {
     for (auto& count : board_.surface.value.counts) count = static_cast<int>(100 * way);
     board_.lips.value.height = 0.28F + 0.57F * std::abs(way);
     board_.voice.value.speaking = t < 0.5 ? 1 : 0;
-    board_.lines.value.active = way > 0 ? 0b1111 : 0b0100;
+    board_.lines.value.active = way > 0 ? 0b111111 : 0b0100;
     if (t == 0) board::NotePress(board_.keys.value, 4, now_);
   });
   check_.ConfirmLamps(now_);
