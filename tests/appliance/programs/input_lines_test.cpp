@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "appliance/core/board/lines.h"
 #include "appliance/programs/input/input_service.h"
 #include "appliance/programs/input/line_inputs.h"
 #include "appliance/programs/input/tally.h"
