@@ -6,7 +6,7 @@ namespace kaori::sim {
 namespace {
 
 // By the upper half of the status byte (MIDI 1.0, table 1).
-std::string WordsOfBytes(unsigned kind, unsigned number, unsigned value) {
+std::string InWords(unsigned kind, unsigned number, unsigned value) {
   switch (kind) {
     case 0x8:
       return fmt::format("note {} off", number);
@@ -30,10 +30,9 @@ std::string WordsOfBytes(unsigned kind, unsigned number, unsigned value) {
 
 }  // namespace
 
-std::string WordsOf(const board::MidiHeard::Message& message) {
+std::string MidiWords(const board::MidiHeard::Message& message) {
   const unsigned status = message.bytes & 0xFFU;
-  const std::string words =
-      WordsOfBytes(status >> 4U, message.bytes >> 8U & 0x7FU, message.bytes >> 16U & 0x7FU);
+  const std::string words = InWords(status >> 4U, message.bytes >> 8U & 0x7FU, message.bytes >> 16U & 0x7FU);
   const unsigned channel = (status & 0x0FU) + 1;
   return channel == 1 ? words : fmt::format("channel {}: {}", channel, words);
 }

@@ -9,6 +9,6 @@ namespace kaori::sim {
 
 // "CC 21 = 64", "note 36 on, velocity 100", "note 36 off", "program 5", "pitch bend 8192"; on another channel than the
 // first "channel 11: CC 1 = 3".
-std::string WordsOf(const board::MidiHeard::Message& message);
+std::string MidiWords(const board::MidiHeard::Message& message);
 
 }  // namespace kaori::sim

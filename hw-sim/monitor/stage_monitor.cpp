@@ -73,7 +73,7 @@ json::List MidiJson(const board::MidiHeard& heard) {
     const MidiHeard::Message& message = heard.newest[n % MidiHeard::kKept];
     messages.push_back(
         json::List{n, fmt::format("{:04x}:{:04x}", message.device >> 16U, message.device & 0xFFFFU),
-                   WordsOf(message), number(message.meant & 0xFFU), number(message.meant >> 8U & 0xFFU)});
+                   MidiWords(message), number(message.meant & 0xFFU), number(message.meant >> 8U & 0xFFU)});
   }
   return messages;
 }

@@ -190,7 +190,8 @@ json::List TeachableJson(const show::Show& show) {
     levels.emplace_back("Expression " + Readable(one.name));
   const std::vector<std::string> calls = roles::TeachableCalls(roles::ItemsOf(show));
   for (std::size_t i = 0; i < calls.size(); ++i)
-    levels.emplace_back(i < kCueVerbs.size() ? std::string("Call ") + kCueVerbs[i] : Readable("call " + calls[i]));
+    levels.emplace_back(i < kCueVerbs.size() ? std::string("Call ") + kCueVerbs[i]
+                                             : Readable("call " + calls[i]));
   return levels;
 }
 

@@ -38,7 +38,7 @@ std::vector<Names> NamesOf(const Items& items) {
 }
 
 // The mode that stands before a call, which is taken off the text; the usual one is not written.
-CallMode TakeMode(std::string_view& text) {
+CallMode ReadMode(std::string_view& text) {
   for (const CallMode mode : {CallMode::kToggle, CallMode::kMomentary}) {
     const std::string_view word = show::kCallModeNames[static_cast<std::size_t>(mode)];
     if (!text.starts_with(word) || text.size() <= word.size() || text[word.size()] != ' ') continue;
@@ -66,7 +66,7 @@ std::uint8_t ButtonNamed(const NamedButton& named) {
 }
 
 std::optional<show::Call> CallNamed(std::string_view text, const Items& items) {
-  const CallMode mode = TakeMode(text);
+  const CallMode mode = ReadMode(text);
   for (const Names& of : NamesOf(items)) {
     if (!text.starts_with(of.word)) continue;
     const auto found = std::ranges::find(of.names, text.substr(of.word.size()));

@@ -145,7 +145,12 @@ bool UnpackFrame(const FrameWords& words, FrameTimes& times, FrameInput& into) {
   const auto known = [](const board::Call& call) {
     return static_cast<std::uint32_t>(call.verb) < board::kCallVerbCount;
   };
+  const auto there_is = [](const performance::Press& press) {
+    return press.source <= performance::Press::Source::kKey &&
+           (press.IsKey() || press.code < show::kAllButtonCount);
+  };
   return valid && into.events.presses().size() <= InputEvents::kMostPresses &&
+         std::ranges::all_of(into.events.presses(), there_is) &&
          into.events.calls().size() <= InputEvents::kMostCalls &&
          std::ranges::all_of(into.events.calls(), known) &&
          (!into.events.week_minute || (*into.events.week_minute >= performance::kNoWeekMinute &&

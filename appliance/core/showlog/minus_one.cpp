@@ -34,6 +34,9 @@ void MoveTimes(board::PressLog& log, Duration later) {
 void MoveTimes(board::Surface& surface, Duration later) {
   MoveTimes(surface.log, later);
 }
+void MoveTimes(board::Stick& stick, Duration later) {
+  MoveTimes(stick.log, later);
+}
 void MoveTimes(board::Keys& keys, Duration later) {
   MoveTimes(keys.log, later);
 }
@@ -81,6 +84,8 @@ Result<MinusOne> MinusOne::Open(const LogFile& log, const show::Show& show, Time
   if (!live) return tl::unexpected(live.error());
   evening.live_ = *live;
   if (evening.live_[kSurface]) seen.surface_unknown = 1;
+  for (std::size_t i = 0; i < seen.sticks_unknown.size(); ++i)
+    if (evening.live_[kLeftStick + i]) seen.sticks_unknown[i] = 1;
   evening.state_.seen = seen;
   return evening;
 }

@@ -281,18 +281,11 @@ int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-input");
   Settings settings;
   kaori::Options options(kHelp);
-  options.Text("--board", settings.board)
-      .Switch("--hidraw", settings.hidraw)
-      .Switch("--usb", settings.usb)
-      .Text("--links", settings.links)
-      .Text("--serial", settings.serial)
-      .Text("--dials", settings.dials)
-      .Text("--surfaces", settings.surfaces)
-      .Text("--midi", settings.midi)
-      .Text("--gpiochip", settings.chip)
-      .Text("--lines", settings.lines)
-      .Text("--counts-per-turn", settings.counts)
-      .Text("--settings", settings.file);
+  options.Text("--board", settings.board).Switch("--hidraw", settings.hidraw).Switch("--usb", settings.usb);
+  options.Text("--links", settings.links).Text("--serial", settings.serial).Text("--dials", settings.dials);
+  options.Text("--surfaces", settings.surfaces).Text("--midi", settings.midi);
+  options.Text("--gpiochip", settings.chip).Text("--lines", settings.lines);
+  options.Text("--counts-per-turn", settings.counts).Text("--settings", settings.file);
   options.Text("--box", settings.box).Text("--last-good", settings.last_good).Text("--key", settings.key);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();

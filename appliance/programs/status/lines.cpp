@@ -129,20 +129,15 @@ Line Loudspeaker(const board::Stamped<board::Sound>& sound, Time now) {
   return line;
 }
 
-// In the order of what matters most to whoever looks.
+// By board::Line.
 Line Lines(const board::Stamped<board::Lines>& lines, Time now) {
-  constexpr std::pair<board::Line, const char*> kNames[] = {
-      {board::Line::kBlackout, "BLACKOUT"},
-      {board::Line::kService, "service"},
-      {board::Line::kPresence, "somebody is in front of the box"},
-      {board::Line::kGo, "GO"},
-      {board::Line::kBack, "BACK"},
-      {board::Line::kPanic, "PANIC"}};
+  constexpr std::array<const char*, board::kLineCount> kNames{
+      "GO", "BLACKOUT", "service", "somebody is in front of the box", "BACK", "PANIC"};
   Line line = Of({"switches", "all of them count as released", "the show goes on without them"}, lines, now);
   if (lines.source == SourceState::kAbsent) return line;
   std::string on;
-  for (const auto& [which, name] : kNames)
-    if (board::IsOn(lines.value, which)) on += std::string(", ") + name;
+  for (std::size_t n = 0; n < kNames.size(); ++n)
+    if (board::IsOn(lines.value, static_cast<board::Line>(n))) on += std::string(", ") + kNames[n];
   if (!on.empty()) line.words += " On: " + on.substr(2) + ".";
   return line;
 }

@@ -92,7 +92,7 @@ TEST_F(ReportTest, SaysWhatALineCheckFoundAndTakesNoDeviceForLostMeanwhile) {
   board_.line_check.source = board::SourceState::kLive;
   board_.line_check.value = {.phase = board::LineCheckPhase::kRunning, .count = 2};
   board_.line_check.value.items[0] = {.kind = board::CheckedKind::kAxis, .state = board::CheckedState::kSeen};
-  board_.line_check.value.items[1] = {.kind = board::CheckedKind::kButton, .number = 6};
+  board_.line_check.value.items[1] = {.kind = board::CheckedKind::kButton, .device = 2, .number = 6};
   board_.sticks[0].source = board_.lips.source = board::SourceState::kAbsent;  // As the stage withholds them.
   Run(5s);
   board_.line_check.value.phase = board::LineCheckPhase::kEnded;

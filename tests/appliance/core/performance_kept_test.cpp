@@ -72,6 +72,8 @@ TEST_F(KeptTest, AButtonOfAStickCallsTogglesAndHoldsAsOneOfTheBoxDoes) {
   Run(5s);
   EXPECT_EQ(Face(kDog), 0) << "a stick that is pulled holds nothing";
   stick.source = board::SourceState::kLive;
+  show_.cue_list.cues = {{.number = "1"}};
+  show::Track(show_);
   push(15);
   Step();
   EXPECT_EQ(state_.black_called, 1);

@@ -30,6 +30,7 @@ class ShowLogTest : public performance::PerformanceTest {
     Live();
     SetKnob(performance::Knob::kLife, 1);
     board_.lips.source = board_.voice.source = board::SourceState::kLive;
+    show_.stick_buttons[show::kStickButtonCount + 3] = {show::CallKind::kExpression, 2};
     bytes_ = HeadBytes(head_);
   }
   ~ShowLogTest() override { std::filesystem::remove(file_); }
@@ -49,6 +50,7 @@ class ShowLogTest : public performance::PerformanceTest {
     board_.surface.value.counts[static_cast<std::size_t>(frame / 60 % 8)] += frame % 7 - 3;
     if (frame % 97 == 0) Push(frame / 97 % 26);
     if (frame % 301 == 0) Strike(performance::kKey1);
+    if (frame % 131 == 0) board::NotePress(board_.sticks[1].value, 3, now_);
     if (frame % 211 == 0) Make({.verb = board::CallVerb::kCue, .source = board::CallSource::kFootSwitch});
     board_.voice.at = now_ - std::chrono::nanoseconds(std::rand() % 5'000'000);
     board_.voice.value.level_db = -30 + 10 * wave(5);

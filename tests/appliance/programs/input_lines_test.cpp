@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "appliance/core/board/lines.h"
 #include "appliance/programs/input/input_service.h"
 #include "appliance/programs/input/line_inputs.h"
-#include "appliance/programs/input/line_roles.h"
 #include "appliance/programs/input/tally.h"
 #include "tests/appliance/core/board_file.h"
 
@@ -273,26 +273,6 @@ TEST_F(TallyLamp, IsDarkInABlackout) {
   EXPECT_TRUE(LitAfter({}));
 }
 
-TEST(LineRolesOf, AChipAreNamedAndNeedNotAllBeThere) {
-  const auto all = ParseLineRoles("go=0,blackout=1,service=2,presence=3,tally=4").value();
-  for (std::uint32_t n = 0; n < 4; ++n) EXPECT_EQ(all.inputs[n], n);
-  EXPECT_EQ(all.tally, 4U);
-  const auto pushed = ParseLineRoles("back=5,panic=6").value();
-  EXPECT_EQ(pushed.inputs[static_cast<std::size_t>(board::Line::kBack)], 5U);
-  EXPECT_EQ(pushed.inputs[static_cast<std::size_t>(board::Line::kPanic)], 6U);
-  const auto some = ParseLineRoles("tally=0,presence=17").value();
-  EXPECT_EQ(some.tally, 0U);
-  EXPECT_FALSE(some.inputs[0]);
-  EXPECT_EQ(some.inputs[3], 17U);
-}
-
-TEST(LineRolesOf, AChipAreRefusedWhereTheyMakeNoSense) {
-  for (const char* wrong : {"", "go", "go=", "go=x", "go=-1", "go=64", "go=0,", ",go=0", "stop=1",
-                            "go=0,go=1", "go=1,tally=1", "go=0 ", "go=0x1"})
-    EXPECT_FALSE(ParseLineRoles(wrong)) << wrong;
-}
-
-// Otherwise the program would wake for a closed descriptor again and again.
 TEST_F(Lines, AreNoLongerWaitedForOnceTheyAreLost) {
   service_.reset();
   const UniqueFd readable(::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK));
