@@ -79,7 +79,9 @@ Result<void> TryOtherStick(Scene& scene, std::ptrdiff_t wanted) {
     return [&scene, sticks] { return StorageIn(scene).size() == sticks; };
   };
   if (auto ok = scene.target.Await(count(1), kLongestPlayOn, "see the other stick gone"); !ok) return ok;
-  if (auto ok = scene.target.machine().PlugUnauthorised(UnauthorisedDevice::kStorage); !ok) return ok;
+  // Another image: QEMU may still hold the one that was pulled.
+  QemuDriver& machine = scene.target.machine();
+  if (auto ok = machine.PlugStick(machine.options().sticks + "/empty.stick", false); !ok) return ok;
   if (auto ok = scene.target.Await(count(2), kLongestPlayOn, "see the other stick again"); !ok) return ok;
   if (auto ok = TurnKeyBack(scene); !ok) return ok;
   return WantStickAuthorised(scene, "plugged in while it plays", wanted);
