@@ -1,6 +1,7 @@
 // The data partition: one that is ruined is brought back by the service key, and the journal of an evening is
 // kept over a power cut.
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>

@@ -99,7 +99,7 @@ void AddKernel(const QemuOptions& options, const Setup& setup, const std::string
 
 // The port after the last socket is free, for an unauthorised device. One xHCI controller whose USB 2
 // and USB 3 ports are as many, each with one device.
-void AddUsb(const QemuOptions& options, std::vector<std::string>& command) {
+void AddUsb(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
   Add(command, {"-device", fmt::format("qemu-xhci,id=xhci,p2={0},p3={0}", kUsbPorts)});
   for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n) {
     const std::string path = sim::UsbSocketPath(options.folder, sim::kUsbSockets[n]);
@@ -110,6 +110,10 @@ void AddUsb(const QemuOptions& options, std::vector<std::string>& command) {
   // A storage stick of 64 MiB of zeroes, and a network that leads nowhere, for unauthorised devices.
   Add(command, {"-blockdev", "null-co,node-name=stick,size=67108864,read-zeroes=on"});
   Add(command, {"-netdev", "hubport,id=net,hubid=0"});
+  // As QemuDriver::PlugUnauthorised does it.
+  if (setup.other_stick)
+    Add(command,
+        {"-device", fmt::format("usb-storage,drive=stick,id=unauthorised,bus=xhci.0,port={}", kUsbPorts)});
 }
 
 // Two cards: a loudspeaker that the bench hears, and a microphone that hears silence. QEMU's sound to a file
@@ -209,7 +213,7 @@ std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& se
       {"-drive", fmt::format("file={},if=none,id=bench,format=raw,readonly=on", options.bench_disk)});
   Add(command, {"-device", "virtio-blk-pci,drive=bench"});  // BenchDisk says its name in the machine.
   Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
-  AddUsb(options, command);
+  AddUsb(options, setup, command);
   if (setup.sound) AddSound(options, command);
   return command;
 }

@@ -35,7 +35,8 @@ struct Setup {
   // Without a card the machine is for those who want its log.
   Graphics graphics = Graphics::kVirtio;
   DiskBus disk_bus = DiskBus::kVirtio;
-  bool tells_size = true;  // The screen has an EDID, as good ones have.
+  bool other_stick = false;  // A USB stick with nothing on it is plugged in before power comes.
+  bool tells_size = true;    // The screen has an EDID, as good ones have.
   int screens =
       0;  // Outputs whose screens can be plugged in and unplugged; 0: one output, whose screen stays.
   int width_px = 0;  // Of the screen; 0: as for the other checks.

@@ -61,6 +61,9 @@ image() {
       fail "image --stale looks at an image and builds none; it takes --out alone"
     name_stale "$out"
   fi
+  [[ $medium =~ ^(usb|disk)?$ ]] || fail "image --medium takes usb or disk, not $medium"
+  [[ $graphics =~ ^(intel|amd|all)?$ ]] || fail "image --graphics takes intel, amd or all, not $graphics"
+  [ -z "$secure_boot" ] || [ -f "$secure_boot/db.key" ] || fail "there are no keys in $secure_boot; ./box keys makes them"
   [ -z "$pack" ] || is_show "$pack"
   [ -n "$trust" ] || [ ! -f $COMPANY.pub ] || trust=$COMPANY.pub
   [ -z "$trust" ] || [ -f "$trust" ] || fail "there is no key $trust; ./box show key makes one"

@@ -62,9 +62,10 @@ TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
 }
 
 TEST(QemuCommand, OnUsbHasTheDiskOnAControllerOfItsOwn) {
-  const kaori::hil::Setup on_usb{.disk_bus = DiskBus::kUsb};
+  const kaori::hil::Setup on_usb{.disk_bus = DiskBus::kUsb, .other_stick = true};
   const auto command = QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, on_usb, "line", "d");
   EXPECT_THAT(command, ::testing::Contains("usb-storage,drive=disk,bus=medium.0,id=medium-disk"));
+  EXPECT_THAT(command, ::testing::Contains("usb-storage,drive=stick,id=unauthorised,bus=xhci.0,port=8"));
   EXPECT_EQ(BenchDisk(on_usb), "/dev/vda") << "it is the only one on virtio";
   EXPECT_EQ(BenchDisk({}), "/dev/vdb");
 }

@@ -49,7 +49,9 @@ def main():
     out = Path(sys.argv[1])
     figures = gathered(out)
     (out / "company.json").write_text(json.dumps(read(out / "company.json") | figures, indent=2) + "\n")
-    print("\n".join(f"{name:24} {value}" for name, value in figures.items() if value is not None))
+    for name, value in figures.items():
+        if value is not None:
+            print(f"{name:24} {value}")
     missing = [name for name, value in figures.items() if value is None]
     if missing:
         print(f"not measured: {', '.join(missing)}")
