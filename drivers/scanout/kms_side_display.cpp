@@ -29,8 +29,7 @@ Result<std::unique_ptr<KmsSideDisplay>> KmsSideDisplay::Open(KmsDevice& card, Km
   return std::unique_ptr<KmsSideDisplay>(new KmsSideDisplay(card, std::move(output), *buffer, *blob));
 }
 
-KmsSideDisplay::KmsSideDisplay(KmsDevice& card, KmsOutput output, KmsDumbBuffer buffer,
-                                   std::uint32_t mode)
+KmsSideDisplay::KmsSideDisplay(KmsDevice& card, KmsOutput output, KmsDumbBuffer buffer, std::uint32_t mode)
     : card_(card),
       output_(std::move(output)),
       buffer_(buffer),
@@ -49,8 +48,7 @@ void KmsSideDisplay::Write(std::span<const std::uint8_t> rgbx, const ports::Disp
   const auto left = static_cast<std::size_t>(area.left_px);
   const auto count = static_cast<std::size_t>(area.right_px - area.left_px);
   for (int row = area.bottom_px; row < area.top_px; ++row) {
-    const std::uint8_t* from =
-        rgbx.data() + (static_cast<std::size_t>(row) * width + left) * kPixel_bytes;
+    const std::uint8_t* from = rgbx.data() + (static_cast<std::size_t>(row) * width + left) * kPixel_bytes;
     std::uint8_t* to = buffer_.bytes.data() +
                        static_cast<std::size_t>(height_px() - 1 - row) * buffer_.pitch_bytes +
                        left * kPixel_bytes;

@@ -193,9 +193,8 @@ int main(int argc, char** argv) {
         kaori::Fail(static_cast<std::errc>(none.value()), "find a folder for passing files").value());
   // One folder for each process: two rehearsals may run at a time.
   const std::string folder = passing / fmt::format("kaori-rehearsal-{}", ::getpid());
-  const int status =
-      settings.log.empty() ? Rehearse(settings, *size, *monitor_size, hz, folder)
-                           : PlayAgain(settings, *size, hz, folder);
+  const int status = settings.log.empty() ? Rehearse(settings, *size, *monitor_size, hz, folder)
+                                          : PlayAgain(settings, *size, hz, folder);
   std::error_code ignored;  // What is left behind in the folder for passing files harms nobody.
   std::filesystem::remove_all(folder, ignored);
   return status;

@@ -64,7 +64,8 @@ TEST_F(StatusScreen, AndTheMonitorAreTwoScreensBesideTheShow) {
   ASSERT_NE(screen->status_display(), nullptr);
   EXPECT_EQ(screen->monitor_display()->width_px(), 640);
   ASSERT_EQ(screen->outputs().size(), 3U);
-  EXPECT_EQ(ports::Describe(screen->outputs()[2]), "HDMI-A-3 640 x 480 at 60 Hz, shows the operators' monitor");
+  EXPECT_EQ(ports::Describe(screen->outputs()[2]),
+            "HDMI-A-3 640 x 480 at 60 Hz, shows the operators' monitor");
 }
 
 TEST_F(StatusScreen, ThatIsTheMonitorTooIsTheMonitor) {

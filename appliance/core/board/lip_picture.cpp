@@ -14,8 +14,8 @@ namespace {
 constexpr std::array<char, 4> kPictureMagic{'K', 'L', 'P', '1'};
 constexpr Duration kLipPicturePeriod = std::chrono::milliseconds(100);
 constexpr std::size_t kHeadBytes = 24, kEndBytes = 4, kPixelBytes = 4;
-constexpr std::size_t kMostBytes = kHeadBytes + kEndBytes +
-                                   kPixelBytes * std::size_t{kLipPictureMost_px} * kLipPictureMost_px;
+constexpr std::size_t kMostBytes =
+    kHeadBytes + kEndBytes + kPixelBytes * std::size_t{kLipPictureMost_px} * kLipPictureMost_px;
 // The stage and kaori-lips are two users of one group; the umask takes away what others might do.
 constexpr mode_t kLipPictureMode = 0660;
 
@@ -50,7 +50,8 @@ std::vector<std::uint8_t> LipPictureBytes(const LipPicture& picture, std::uint32
 
 // What lies behind the end is of a larger picture before.
 std::optional<LipPicture> ParseLipPicture(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kHeadBytes + kEndBytes || !std::equal(kPictureMagic.begin(), kPictureMagic.end(), bytes.begin()))
+  if (bytes.size() < kHeadBytes + kEndBytes ||
+      !std::equal(kPictureMagic.begin(), kPictureMagic.end(), bytes.begin()))
     return std::nullopt;
   const auto width_px = Get<std::uint32_t>(bytes, 8), height_px = Get<std::uint32_t>(bytes, 12);
   if (std::min(width_px, height_px) < 1 || std::max(width_px, height_px) > kLipPictureMost_px)
@@ -60,14 +61,15 @@ std::optional<LipPicture> ParseLipPicture(std::span<const std::uint8_t> bytes) {
   if (Get<std::uint32_t>(bytes, 4) != Get<std::uint32_t>(bytes, kHeadBytes + size)) return std::nullopt;
   const auto pixels = bytes.subspan(kHeadBytes, size);
   return LipPicture{.width_px = static_cast<int>(width_px),
-                     .height_px = static_cast<int>(height_px),
-                     .at = Time{Duration{std::max<std::int64_t>(0, Get<std::int64_t>(bytes, 16))}},
-                     .pixels = {pixels.begin(), pixels.end()}};
+                    .height_px = static_cast<int>(height_px),
+                    .at = Time{Duration{std::max<std::int64_t>(0, Get<std::int64_t>(bytes, 16))}},
+                    .pixels = {pixels.begin(), pixels.end()}};
 }
 
 // Never a link: the folder is the box's own, and a file of another kind there is a mistake.
 Result<LipPictureReader> LipPictureReader::Make(const std::string& path) {
-  UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kLipPictureMode));
+  UniqueFd file(::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+                       kLipPictureMode));
   if (!file.valid()) return FailErrno("make " + path);
   return LipPictureReader(std::move(file), path);
 }

@@ -8,8 +8,8 @@
 
 #include "appliance/core/roles/named.h"
 #include "appliance/core/show/cue_names.h"
-#include "render/scene/scene.h"
 #include "appliance/core/toml/nearest.h"
+#include "render/scene/scene.h"
 
 namespace kaori::roles {
 namespace {

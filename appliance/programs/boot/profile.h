@@ -31,10 +31,10 @@ struct Profile {
   // As the section [lines] says, over the box's default.
   Wiring wiring{};
   std::string status_screen{}, monitor_screen{};  // Empty: none.
-  std::string dial_box{};       // A line and its kind of box; empty: none.
-  int dial_box_counts = 0;      // Of one turn; 0: as kaori-input has it.
-  std::string zone{};           // Empty: UTC.
-  std::string fault{};          // One line that names file and line; empty: none.
+  std::string dial_box{};                         // A line and its kind of box; empty: none.
+  int dial_box_counts = 0;                        // Of one turn; 0: as kaori-input has it.
+  std::string zone{};                             // Empty: UTC.
+  std::string fault{};                            // One line that names file and line; empty: none.
 };
 
 // Reads the words of a settings file. With a fault all else is the usual. Pure. The fault says "line N:

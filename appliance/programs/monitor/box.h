@@ -49,8 +49,10 @@ inline Box Inset(const Box& box, int by) {
 // The largest box of these proportions within `box`, in its middle. Empty where either has no size.
 inline Box Fitted(const Box& box, int width, int height) {
   if (width <= 0 || height <= 0) return {box.left, box.top, 0, 0};
-  const int fitted_width = std::min(box.width, static_cast<int>(static_cast<long>(box.height) * width / height));
-  const int fitted_height = std::min(box.height, static_cast<int>(static_cast<long>(fitted_width) * height / width));
+  const int fitted_width =
+      std::min(box.width, static_cast<int>(static_cast<long>(box.height) * width / height));
+  const int fitted_height =
+      std::min(box.height, static_cast<int>(static_cast<long>(fitted_width) * height / width));
   return {box.left + (box.width - fitted_width) / 2, box.top + (box.height - fitted_height) / 2, fitted_width,
           fitted_height};
 }

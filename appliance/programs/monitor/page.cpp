@@ -17,8 +17,8 @@ void AddHead(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells
   const int u = pen.unit;
   const bool is_known = !view.time_of_day.empty();
   Box clock = CutLeft(box, u * 10);
-  cells.push_back({clock, kNight,
-                   {{clock, is_known ? kText : kQuiet, is_known ? view.time_of_day : "--:--:--", u * 2}}});
+  cells.push_back(
+      {clock, kNight, {{clock, is_known ? kText : kQuiet, is_known ? view.time_of_day : "--:--:--", u * 2}}});
   Cell act{CutLeft(box, box.width / 2), kNight, {}};
   Box line = act.box;
   const int time_width = view.act_time.empty() ? 0 : u * 6;
@@ -40,8 +40,8 @@ void AddFoot(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells
   const Box mark = CutLeft(box, u / 2);
   CutLeft(box, u / 2);
   fault.pieces.push_back({mark, view.fault.colour});
-  fault.pieces.push_back({box, view.fault.colour == kGreen ? kQuiet : view.fault.colour, view.fault.words,
-                          pen.normal()});
+  fault.pieces.push_back(
+      {box, view.fault.colour == kGreen ? kQuiet : view.fault.colour, view.fault.words, pen.normal()});
   cells.push_back(std::move(fault));
   Box words = rate;
   CutRight(words, u / 2);

@@ -21,7 +21,8 @@ Cell CueCell(const CueWords& cue, const Pen& pen, const Box& box, int number_px,
   const bool is_long = pen.WidthOf(cue.name, name_px) > head.width;
   AddLines({cue.name, is_long ? std::min(name_px * 3 / 4, head.height * 10 / 26) : name_px, kText, true}, pen,
            head, cell);
-  if (!cue.notes.empty() && rest.height >= pen.unit) AddLines({cue.notes, pen.normal(), kSoft}, pen, rest, cell);
+  if (!cue.notes.empty() && rest.height >= pen.unit)
+    AddLines({cue.notes, pen.normal(), kSoft}, pen, rest, cell);
   return cell;
 }
 
@@ -37,7 +38,8 @@ void AddCues(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells
   AddBadge(view.go, pen, line, head);
   cells.push_back(std::move(head));
   const bool none = view.standby.number.empty() && view.standby.name.empty();
-  const CueWords nothing{{}, view.go.words == "no cue list" ? "This show has no cues" : "The list is over", {}};
+  const CueWords nothing{
+      {}, view.go.words == "no cue list" ? "This show has no cues" : "The list is over", {}};
   cells.push_back(CueCell(none ? nothing : view.standby, pen, box, pen.huge(), u * 9 / 5));
   cells.push_back(LabelCell("ON", {view.comes, kAmber}, pen, CutTop(active, label)));
   const bool before = view.active.number.empty() && view.active.name.empty();
@@ -56,14 +58,16 @@ Box AddLips(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells)
   cells.push_back(std::move(state));
   const Level voice{{}, {}, view.speaks ? kByVoice : kQuiet, view.voice, 0};
   const Box sound = CutBottom(box, u);
-  Cell loud = BarCell(voice, pen, {sound.left + u / 2, sound.top, std::max(0, sound.width - u), sound.height});
+  Cell loud =
+      BarCell(voice, pen, {sound.left + u / 2, sound.top, std::max(0, sound.width - u), sound.height});
   loud.box = sound;
   cells.push_back(std::move(loud));
   const Box side = CutRight(box, u * 3 / 2);
   Cell open{side, kPanel, {}};
   Box bar{side.left + u / 2, side.top, u / 2, side.height};
   open.pieces.push_back({bar, kGroove});
-  open.pieces.push_back({CutBottom(bar, static_cast<int>(view.open * static_cast<float>(bar.height))), kByLips});
+  open.pieces.push_back(
+      {CutBottom(bar, static_cast<int>(view.open * static_cast<float>(bar.height))), kByLips});
   cells.push_back(std::move(open));
   cells.push_back({CutLeft(box, u / 2), kPanel, {}});
   return box;

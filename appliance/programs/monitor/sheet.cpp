@@ -53,12 +53,11 @@ void Sheet::Draw(const Cell& cell) {
 void Sheet::Draw(const Piece& piece) {
   if (piece.size_px == 0) return Fill(piece.box, piece.colour);
   const std::string text = image::Shorten(lettering_, piece.text, piece.size_px, piece.box.width);
-  const int spare_px = piece.side == Side::kLeft
-                           ? 0
-                           : std::max(0, piece.box.width - lettering_.width_px(text, piece.size_px));
+  const int spare_px =
+      piece.side == Side::kLeft ? 0 : std::max(0, piece.box.width - lettering_.width_px(text, piece.size_px));
   const int x_px = piece.box.left + (piece.side == Side::kMiddle ? spare_px / 2 : spare_px);
-  const int y_px = picture_.height_px - piece.box.bottom() +
-                   (piece.box.height - lettering_.height_px(piece.size_px)) / 2;
+  const int y_px =
+      picture_.height_px - piece.box.bottom() + (piece.box.height - lettering_.height_px(piece.size_px)) / 2;
   lettering_.Draw(text, {.size_px = piece.size_px, .rgb = piece.colour}, x_px, y_px, picture_);
 }
 
@@ -79,12 +78,13 @@ ports::DisplayArea Sheet::Place(const Pixels& picture, const Box& place, const C
     columns_[x] = x * static_cast<std::size_t>(picture.width_px) / columns_.size() * 4;
   for (int y = 0; y < fitted.height; ++y) {
     const auto row = static_cast<std::size_t>(static_cast<long>(y) * picture.height_px / fitted.height);
-    const std::uint8_t* const from = picture.rgbx.data() + row * static_cast<std::size_t>(picture.width_px) * 4;
-    std::uint8_t* to = picture_.rgbx.data() +
-                       (static_cast<std::size_t>(picture_.height_px - 1 - fitted.top - y) *
-                            static_cast<std::size_t>(picture_.width_px) +
-                        static_cast<std::size_t>(fitted.left)) *
-                           4;
+    const std::uint8_t* const from =
+        picture.rgbx.data() + row * static_cast<std::size_t>(picture.width_px) * 4;
+    std::uint8_t* to =
+        picture_.rgbx.data() + (static_cast<std::size_t>(picture_.height_px - 1 - fitted.top - y) *
+                                    static_cast<std::size_t>(picture_.width_px) +
+                                static_cast<std::size_t>(fitted.left)) *
+                                   4;
     for (const std::size_t column : columns_) {
       std::memcpy(to, from + column, 4);
       if (tints && to[3] >= kPaint)

@@ -24,9 +24,13 @@ constexpr Duration kAlive = 2s;  // A writer that is silent for longer says noth
 constexpr float kQuietest_db = -60;
 
 // In the order of board::LobbyState.
-constexpr std::array<const char*, board::kLobbyStateCount> kLobbyWords{
-    "",           "LOBBY asleep",     "LOBBY waiting",   "LOBBY greeting", "LOBBY with a visitor",
-    "LOBBY good-bye", "LOBBY taken over"};
+constexpr std::array<const char*, board::kLobbyStateCount> kLobbyWords{"",
+                                                                       "LOBBY asleep",
+                                                                       "LOBBY waiting",
+                                                                       "LOBBY greeting",
+                                                                       "LOBBY with a visitor",
+                                                                       "LOBBY good-bye",
+                                                                       "LOBBY taken over"};
 
 template <class Names>
 std::string NameAt(const Names& items, std::size_t index) {
@@ -98,16 +102,20 @@ std::string ComesOf(const Moment& moment) {
 
 void AddMarks(const Moment& moment, View& view) {
   const board::ShowNow& now = moment.show_now.value;
-  const bool is_black = (now.cue_state & board::kCuesBlack) != 0 || board::IsOn(moment.lines.value, board::Line::kBlackout);
+  const bool is_black =
+      (now.cue_state & board::kCuesBlack) != 0 || board::IsOn(moment.lines.value, board::Line::kBlackout);
   if ((now.cue_state & board::kCuesPanicking) != 0) view.marks.push_back({"PANIC", kRed});
   if (is_black) view.marks.push_back({"BLACKOUT", kRed});
   if ((now.cue_state & board::kCuesPaused) != 0) view.marks.push_back({"PAUSED", kAmber});
   if (now.locked != 0)
-    view.marks.push_back({now.locked_out == 0 ? "LOCKED" : fmt::format("LOCKED, {} refused", now.locked_out), kBlue});
+    view.marks.push_back(
+        {now.locked_out == 0 ? "LOCKED" : fmt::format("LOCKED, {} refused", now.locked_out), kBlue});
   if (now.sheet != 0) view.marks.push_back({fmt::format("SHEET {}", now.sheet + 1), kScene});
   const auto lobby = static_cast<std::size_t>(now.lobby);
   if (lobby != 0 && lobby < kLobbyWords.size())
-    view.marks.push_back({kLobbyWords[lobby] + std::string(now.lobby_hours == board::LobbyHours::kShut ? ", shut" : ""), kStyle});
+    view.marks.push_back(
+        {kLobbyWords[lobby] + std::string(now.lobby_hours == board::LobbyHours::kShut ? ", shut" : ""),
+         kStyle});
 }
 
 // What people keep beside the face that was called joins it.
@@ -141,9 +149,8 @@ void AddPlaying(const Moment& moment, View& view) {
   view.playing = {
       {"face", joined(show::CallKind::kFace, NameAt(show.cast.faces, state.faces.to)), kFace,
        state.faces.progress},
-      {"expression",
-       joined(show::CallKind::kExpression, NameAt(show.cast.expressions, state.expressions.to)), kExpression,
-       state.expressions.progress},
+      {"expression", joined(show::CallKind::kExpression, NameAt(show.cast.expressions, state.expressions.to)),
+       kExpression, state.expressions.progress},
       {"scene", NameAt(show.scenes, state.scene), kScene, state.backdrops.progress},
       {"drawing", state.styles.to < scene::kStyleNames.size() ? scene::kStyleNames[state.styles.to] : "",
        kStyle, state.styles.progress}};
@@ -189,7 +196,8 @@ Tag FaultOf(const std::vector<status::Line>& lines) {
 
 std::string ClockText(Duration length) {
   const auto seconds = std::max(Duration{}, length) / 1s;
-  return fmt::format("{}:{:02}:{:02}", std::min<std::int64_t>(seconds / 3600, 99), seconds / 60 % 60, seconds % 60);
+  return fmt::format("{}:{:02}:{:02}", std::min<std::int64_t>(seconds / 3600, 99), seconds / 60 % 60,
+                     seconds % 60);
 }
 
 View Describe(const Moment& moment) {

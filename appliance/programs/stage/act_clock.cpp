@@ -25,7 +25,8 @@ Time ActClock::Step(const show::CueList& list, std::int32_t active, Time now) {
   const std::int32_t opener = ActOpener(list, active);
   const auto is_same = [&] {
     return opener >= 0 && opener_ >= 0 &&
-           list.cues[static_cast<std::size_t>(opener)].act == list.cues[static_cast<std::size_t>(opener_)].act;
+           list.cues[static_cast<std::size_t>(opener)].act ==
+               list.cues[static_cast<std::size_t>(opener_)].act;
   };
   if (!is_same()) began_ = active < 0 ? Time{} : now;
   opener_ = opener;

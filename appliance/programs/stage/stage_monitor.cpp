@@ -15,13 +15,13 @@ using namespace std::chrono_literals;
 constexpr Duration kPicturePeriod = 60ms;  // With the steps' own period about 15 a second.
 constexpr Duration kTextPeriod = 100ms;
 constexpr Duration kLipsPeriod = 100ms;
-constexpr Duration kOldestLips = 2s;      // A camera's picture that is older is none.
-constexpr int kRest = 40;                 // Times as long as a portion took.
-constexpr int kTextShare = 16;                // Of a frame's usual time, for a portion's text.
-constexpr Duration kLeastTextShare = 500us;   // Whatever the frame takes.
-constexpr Duration kRoom = 2ms;           // Before a frame begins no portion does,
-constexpr int kMostLeftAlone = 4;         // but not more often than so in a row.
-constexpr int kMostProgramme_px = 960;    // Of its width: a larger picture is not worth its copying.
+constexpr Duration kOldestLips = 2s;         // A camera's picture that is older is none.
+constexpr int kRest = 40;                    // Times as long as a portion took.
+constexpr int kTextShare = 16;               // Of a frame's usual time, for a portion's text.
+constexpr Duration kLeastTextShare = 500us;  // Whatever the frame takes.
+constexpr Duration kRoom = 2ms;              // Before a frame begins no portion does,
+constexpr int kMostLeftAlone = 4;            // but not more often than so in a row.
+constexpr int kMostProgramme_px = 960;       // Of its width: a larger picture is not worth its copying.
 constexpr Duration kMonitorGivenUp = 60s;
 
 }  // namespace
@@ -35,11 +35,7 @@ std::string TimeOfDay(std::time_t now) {
 
 StageMonitor::StageMonitor(const board::Board& board, const Clock& clock, Studio& studio,
                            const StageStatusDisplay& status, std::function<std::time_t()> time_of_day)
-    : board_(board),
-      clock_(clock),
-      studio_(studio),
-      status_(status),
-      time_of_day_(std::move(time_of_day)) {}
+    : board_(board), clock_(clock), studio_(studio), status_(status), time_of_day_(std::move(time_of_day)) {}
 
 // A display that is busy with the last areas is no failure: they are owed and come at the next step.
 void StageMonitor::Step(ports::SideDisplay* display, const StageNow& stage) {

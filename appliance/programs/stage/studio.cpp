@@ -79,8 +79,8 @@ bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
 // The first one makes the target, and so does another size.
 void Studio::AskPicture(int most_width_px, int most_height_px) {
   if (canvas_.width_px() == 0 || readback_.pending()) return;
-  const double scale = std::min({1.0, double(most_width_px) / canvas_.width_px(),
-                                 double(most_height_px) / canvas_.height_px()});
+  const double scale = std::min(
+      {1.0, double(most_width_px) / canvas_.width_px(), double(most_height_px) / canvas_.height_px()});
   const int width_px = std::max(1, static_cast<int>(canvas_.width_px() * scale));
   const int height_px = std::max(1, static_cast<int>(canvas_.height_px() * scale));
   if (asked_target_.width_px() != width_px || asked_target_.height_px() != height_px) {

@@ -37,16 +37,11 @@ bool IsAscii(char letter) {
 
 // All files are small and lie in memory (/run), so that reading them anew each second costs next to nothing.
 Facts ReadFacts(const Places& places) {
-  Facts facts{WordOf(places.settings / "name"),
-              {},
-              WordOf(places.settings / "root_hash"),
-              WordOf(places.settings / "slot"),
-              WordOf(places.settings / "status_screen"),
-              WordOf(places.settings / "monitor_screen"),
-              LinesOf(places.settings / "faults"),
-              ParseScreens(ReadFile(places.screens).value_or("")),
-              LinesOf(places.notices / "power"),
-              LinesOf(places.shows)};
+  Facts facts{WordOf(places.settings / "name"),          {},
+              WordOf(places.settings / "root_hash"),     WordOf(places.settings / "slot"),
+              WordOf(places.settings / "status_screen"), WordOf(places.settings / "monitor_screen"),
+              LinesOf(places.settings / "faults"),       ParseScreens(ReadFile(places.screens).value_or("")),
+              LinesOf(places.notices / "power"),         LinesOf(places.shows)};
   std::erase_if(facts.shows, [](const std::string& line) { return !std::ranges::all_of(line, IsAscii); });
   std::error_code none;
   for (const char* profile : kProfiles)

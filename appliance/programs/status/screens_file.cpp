@@ -21,10 +21,9 @@ constexpr std::size_t kMostScreens = 64;
 constexpr std::array kOrigins{std::pair{ModeOrigin::kWanted, "wanted"},
                               std::pair{ModeOrigin::kSubstitute, "substitute"},
                               std::pair{ModeOrigin::kSafeGuess, "safe"}};
-constexpr std::array kStates{std::pair{OutputState::kShowsPicture, "picture"},
-                             std::pair{OutputState::kUnplugged, "unplugged"},
-                             std::pair{OutputState::kShowsStatus, "status"},
-                             std::pair{OutputState::kShowsMonitor, "monitor"}};
+constexpr std::array kStates{
+    std::pair{OutputState::kShowsPicture, "picture"}, std::pair{OutputState::kUnplugged, "unplugged"},
+    std::pair{OutputState::kShowsStatus, "status"}, std::pair{OutputState::kShowsMonitor, "monitor"}};
 
 // The word of a value; that of the first one for a value that is none.
 template <class Value, std::size_t kCount>

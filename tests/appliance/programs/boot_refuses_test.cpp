@@ -77,10 +77,10 @@ TEST(BootProgram, AppliesTheSettingsAndLeavesSystemdNoDescriptorOfItsOwn) {
   const Ran inherited = RunProgram(AmongOwnMounts("ls /proc/self/fd", "--pid --fork "));
   const Ran ran = RunAsFirstProcess("/proc/self/fd /run/kaori-profile");
   EXPECT_EQ(ran.status, 0);
-  EXPECT_EQ(
-      ran.said,
-      "/proc/self/fd:\n" + inherited.said +
-          "\n/run/kaori-profile:\nclock\ndials\nfaults\nlines\nmonitor_screen\nroot_hash\nslot\nstage\nstatus_screen\n");
+  EXPECT_EQ(ran.said, "/proc/self/fd:\n" + inherited.said +
+                          "\n/run/"
+                          "kaori-profile:\nclock\ndials\nfaults\nlines\nmonitor_screen\nroot_"
+                          "hash\nslot\nstage\nstatus_screen\n");
 }
 
 }  // namespace

@@ -32,19 +32,25 @@ TEST_P(MonitorPage, WhatMattersIsReadFromTwoMetres) {
   if (GetParam().width_px * 9 >= GetParam().height_px * 16) {
     EXPECT_EQ(unit, GetParam().height_px / 36);
   }
-  for (const auto& [text, units] :
-       {std::pair{"3", 2.4}, {"He comes", 1.0}, {"After her", 1.0}, {"19:43:10", 1.9}, {"GO", 1.0}, {"poster", 1.0}}) {
+  for (const auto& [text, units] : {std::pair{"3", 2.4},
+                                    {"He comes", 1.0},
+                                    {"After her", 1.0},
+                                    {"19:43:10", 1.9},
+                                    {"GO", 1.0},
+                                    {"poster", 1.0}}) {
     const Piece* const piece = PieceWith(page, text);
     ASSERT_NE(piece, nullptr) << text;
     EXPECT_GE(piece->size_px, static_cast<int>(units * unit)) << text;
   }
   const Piece* const standby = PieceWith(page, "He comes");
-  EXPECT_GT(standby->size_px, PieceWith(page, "House lights")->size_px) << "what comes is larger than what is";
+  EXPECT_GT(standby->size_px, PieceWith(page, "House lights")->size_px)
+      << "what comes is larger than what is";
 }
 
 TEST_P(MonitorPage, NothingLeavesTheScreenOrItsCellAndNoCellLiesOnAnother) {
   evening_.show.cue_list.cues[2].name = std::string(300, 'W');
-  evening_.show.cue_list.cues[1].name = "A name of many words that goes on and on as names of cues in long plays do";
+  evening_.show.cue_list.cues[1].name =
+      "A name of many words that goes on and on as names of cues in long plays do";
   evening_.show.cue_list.cues[2].notes = std::string(2000, 'm') + std::string(500, ' ') + "end";
   evening_.show.cue_list.cues[2].number = "12345.678.90123";
   evening_.status = {{status::Mark::kFault, "fault", std::string(500, 'x')}};
@@ -54,7 +60,8 @@ TEST_P(MonitorPage, NothingLeavesTheScreenOrItsCellAndNoCellLiesOnAnother) {
   for (std::size_t i = 0; i < page.cells.size(); ++i) {
     const Cell& cell = page.cells[i];
     EXPECT_TRUE(IsWithin(cell.box, screen)) << i;
-    for (const Piece& piece : cell.pieces) EXPECT_TRUE(IsWithin(piece.box, cell.box)) << i << " " << piece.text;
+    for (const Piece& piece : cell.pieces)
+      EXPECT_TRUE(IsWithin(piece.box, cell.box)) << i << " " << piece.text;
     for (const Box& picture : {page.programme, page.lip_picture})
       EXPECT_FALSE(std::max(picture.left, cell.box.left) < std::min(picture.right(), cell.box.right()) &&
                    std::max(picture.top, cell.box.top) < std::min(picture.bottom(), cell.box.bottom()))
@@ -92,7 +99,8 @@ TEST_P(MonitorPage, ALevelThatSomebodyHasIsShownBeforeThoseThatNobodyHas) {
   const Page page = LaidOut();
   EXPECT_NE(PieceWith(page, "remote"), nullptr);
   for (auto& level : evening_.show_now.value.levels) level.owner = board::LevelOwner::kNobody;
-  evening_.show_now.value.levels[static_cast<std::size_t>(show::Level::kLidRight)].owner = board::LevelOwner::kCue;
+  evening_.show_now.value.levels[static_cast<std::size_t>(show::Level::kLidRight)].owner =
+      board::LevelOwner::kCue;
   const Page one = LaidOut();
   EXPECT_NE(PieceWith(one, "cue"), nullptr);
 }
@@ -104,7 +112,8 @@ TEST_P(MonitorPage, ABarIsAsLongAsItsLevelIsFromItsRest) {
     int width = 0;
     for (const Cell& cell : LaidOut().cells)
       for (const Piece& piece : cell.pieces)
-        if (piece.size_px == 0 && piece.colour == kByLips && piece.box.height < piece.box.width) width = piece.box.width;
+        if (piece.size_px == 0 && piece.colour == kByLips && piece.box.height < piece.box.width)
+          width = piece.box.width;
     return width;
   };
   const int whole = widest(1);
@@ -134,8 +143,8 @@ class MonitorSheet : public ::testing::Test {
     int count = 0;
     for (int y = box.top; y < box.bottom(); ++y)
       for (int x = box.left; x < box.right(); ++x) {
-        const auto* at = sheet_.picture().rgbx.data() +
-                         (std::size_t(kHeight_px - 1 - y) * kWidth_px + std::size_t(x)) * 4;
+        const auto* at =
+            sheet_.picture().rgbx.data() + (std::size_t(kHeight_px - 1 - y) * kWidth_px + std::size_t(x)) * 4;
         count += std::equal(colour.begin(), colour.end(), at) ? 1 : 0;
       }
     return count;
@@ -207,9 +216,10 @@ TEST_F(MonitorSheet, PaintIsTintedInTheLipsPictureAndSkinIsNot) {
   const Box& place = sheet_.page().lip_picture;
   const int skin = CountIn(place, {90, 90, 90});
   EXPECT_GT(skin, 100);
-  EXPECT_NEAR(CountIn(place, {std::uint8_t((90 + 2 * kByLips[0]) / 3), std::uint8_t((90 + 2 * kByLips[1]) / 3),
-                              std::uint8_t((90 + 2 * kByLips[2]) / 3)}),
-              skin, place.height);
+  EXPECT_NEAR(
+      CountIn(place, {std::uint8_t((90 + 2 * kByLips[0]) / 3), std::uint8_t((90 + 2 * kByLips[1]) / 3),
+                      std::uint8_t((90 + 2 * kByLips[2]) / 3)}),
+      skin, place.height);
 }
 
 TEST(MonitorSheetOf, AnyMadSizeIsNoCrash) {

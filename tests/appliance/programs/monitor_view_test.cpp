@@ -11,11 +11,11 @@
 namespace kaori::monitor {
 namespace {
 
+using board::LevelOwner;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::IsEmpty;
-using board::LevelOwner;
 
 class MonitorView : public ::testing::Test {
  protected:
@@ -47,7 +47,8 @@ TEST_F(MonitorView, TellsTheTimeOfDayAndHowLongTheActHasPlayed) {
   EXPECT_EQ(evening_.Now().act, "ACT Prologue") << "a cue without an act is of the act before it";
   EXPECT_EQ(evening_.Now().act_time, "0:12:34");
   evening_.show_now.value.act_began = {};
-  EXPECT_THAT(evening_.Now().act_time, IsEmpty()) << "a box that was switched on in the middle does not guess";
+  EXPECT_THAT(evening_.Now().act_time, IsEmpty())
+      << "a box that was switched on in the middle does not guess";
   for (auto& cue : evening_.show.cue_list.cues) cue.act.clear();
   EXPECT_EQ(evening_.Now().act, "CUE LIST");
   evening_.show_now.value.cue_active = -1;
@@ -103,7 +104,8 @@ TEST_F(MonitorView, NamesWhatIsOnStageAndHowFarItsFadeIs) {
   const View view = evening_.Now();
   std::vector<std::string> words;
   for (const Playing& playing : view.playing) words.push_back(playing.what + " " + playing.words);
-  EXPECT_THAT(words, ElementsAre("face poster", "expression smile", "scene stage", "drawing wire", "motion bow"));
+  EXPECT_THAT(words,
+              ElementsAre("face poster", "expression smile", "scene stage", "drawing wire", "motion bow"));
   EXPECT_EQ(view.playing[1].share, 0.25F);
   EXPECT_NEAR(view.playing[4].share, 0.25, 0.01) << "one of four seconds";
 }
@@ -130,7 +132,8 @@ TEST_F(MonitorView, EachLevelHasTheColourOfWhoHasIt) {
 TEST_F(MonitorView, ALevelThatNoRolePlaysIsThereOnceSomebodyHasIt) {
   const auto is_lid = Field(&Level::name, "lid left");
   EXPECT_THAT(evening_.Now().levels, Not(Contains(is_lid)));
-  evening_.show_now.value.levels[static_cast<std::size_t>(show::Level::kLidLeft)] = {1, LevelOwner::kRemote, 0};
+  evening_.show_now.value.levels[static_cast<std::size_t>(show::Level::kLidLeft)] = {1, LevelOwner::kRemote,
+                                                                                     0};
   EXPECT_THAT(evening_.Now().levels, Contains(is_lid));
 }
 
@@ -156,7 +159,8 @@ TEST_F(MonitorView, SaysHowTheCameraSeesTheMouth) {
 TEST_F(MonitorView, FaultsComeBeforeWhatIsMissing) {
   using status::Mark;
   EXPECT_EQ(evening_.Now().fault, (Tag{"nothing is missing", kGreen}));
-  evening_.status = {{Mark::kMissing, "dial box", "It was unplugged."}, {Mark::kMissing, "camera", "It is not."}};
+  evening_.status = {{Mark::kMissing, "dial box", "It was unplugged."},
+                     {Mark::kMissing, "camera", "It is not."}};
   EXPECT_EQ(evening_.Now().fault, (Tag{"missing: dial box, camera", kAmber}));
   evening_.status.push_back({Mark::kFault, "fault", "The disk is full."});
   evening_.status.push_back({Mark::kFault, "fault", "box.toml is wrong."});

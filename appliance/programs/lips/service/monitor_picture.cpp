@@ -10,7 +10,8 @@ void MonitorPicture::Offer(const decode::Planes& planes, const PaintKey& key, Ti
   picture_.width_px = size.width_px;
   picture_.height_px = size.height_px;
   picture_.at = at;
-  picture_.pixels.resize(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) * 4);
+  picture_.pixels.resize(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) *
+                         4);
   DrawSmall(planes, key, size, picture_.pixels);
   writer_.Write(picture_);
 }

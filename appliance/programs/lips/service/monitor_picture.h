@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "appliance/programs/lips/paint_key.h"
 #include "appliance/core/board/lip_picture.h"
+#include "appliance/programs/lips/paint_key.h"
 #include "drivers/base/clock.h"
 #include "drivers/decode/planes.h"
 
