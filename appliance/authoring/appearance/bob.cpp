@@ -10,10 +10,10 @@ namespace {
 
 // Locks over the sheets; fewer show the sheet as one piece, more cost triangles.
 constexpr int kCurtainLocks = 22;
-constexpr int kTips = 24;          // Of the fringe's sheet,
+constexpr int kTips = 20;          // Of the fringe's sheet,
 constexpr int kColumnsPerTip = 3;  // each drawn with so many columns.
 constexpr int kFringeRows = 10;
-constexpr int kFringeLocks = 34;
+constexpr int kFringeLocks = 19;
 // The fringe reaches this far under the curtain, so that no gap opens between them.
 constexpr float kFringeOverlap_deg = 3;
 
@@ -153,11 +153,11 @@ void AddFramingLocks(ClothMesh& mesh, const HairLook& look) {
 // Between the parting in the middle and the curtain, hair is combed from the hairline to the sides, one lock
 // behind the other, and runs under the curtain's edge.
 void AddPartedLocks(ClothMesh& mesh, const HairLook& look) {
-  constexpr int kPartedLocks = 8;  // A side.
+  constexpr int kPartedLocks = 6;  // A side.
   Dice dice(look.seed + 5);
   for (const float side : {1.0F, -1.0F}) {
     for (int i = 0; i < kPartedLocks; ++i) {
-      const float behind_deg = 3.6F * static_cast<float>(i);
+      const float behind_deg = 4.6F * static_cast<float>(i);
       Comb comb;
       comb.from = Direction(side * 2, look.parting_deg + 1 + 1.6F * behind_deg);
       comb.over = Direction(side * (34 + 0.6F * behind_deg), look.parting_deg - 9 + 1.15F * behind_deg);
@@ -165,8 +165,7 @@ void AddPartedLocks(ClothMesh& mesh, const HairLook& look) {
       comb.root_cm = 0.1F;
       comb.lift_cm = 0.22F + 0.03F * static_cast<float>(i);
       comb.end_cm = 0.3F;
-      const LockShape shape{
-          dice.Between(1.3F, 1.8F), dice.Between(0.18F, 0.26F), 0.5F, 0.35F, 0.8F, 0.5F, 10};
+      const LockShape shape{dice.Between(1.6F, 2.1F), dice.Between(0.18F, 0.26F), 0.5F, 0.35F, 0.8F, 0.5F, 10};
       AddLock(
           mesh, look.skull, [&](float t) { return OnComb(look.skull, comb, t); }, shape);
     }

@@ -13,7 +13,7 @@ constexpr int kCapRows = 8;
 constexpr int kCapColumns = 32;
 // Nearer to the skull than any hair, so that only gaps show it.
 constexpr float kCapOffset_cm = 0.12F;
-constexpr int kCurtainRows = 19;
+constexpr int kCurtainRows = 17;
 constexpr int kCurtainColumns = 65;
 // A sheet counts as so many locks, for the stripes on it: hair.frag stripes by the fraction of `across`.
 constexpr float kLocksAcross = 14;

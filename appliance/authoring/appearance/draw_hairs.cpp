@@ -73,7 +73,8 @@ Stroke MoustacheHair(const MoustacheLook& look, Dice& dice) {
   hair.tip_cm = hair.bend_cm + Turned({1, 0}, turn - 14) * (0.5F * length_cm);
   // Fine hairs, fewer towards the middle and the ends, so that skin is seen between them and no edge is.
   hair.half_width_cm = dice.Between(0.012F, 0.026F);
-  hair.opacity = look.amount * dice.Between(0.6F, 0.95F) * SmoothStep(look.from_cm - 0.1F, look.from_cm + 0.4F, u) *
+  hair.opacity = look.amount * dice.Between(0.6F, 0.95F) *
+                 SmoothStep(look.from_cm - 0.1F, look.from_cm + 0.4F, u) *
                  (1 - 0.75F * SmoothStep(0.62F, 1, (u - look.from_cm) / look.reach_cm));
   hair.colour = look.colour * dice.Between(0.6F, 1.5F);
   return hair;

@@ -13,7 +13,7 @@ namespace {
 constexpr int kRows = 14;
 constexpr int kColumns = 61;
 constexpr float kHalf_deg = 104;  // The combed top reaches this far round, to behind the ears.
-constexpr int kLocks = 52;
+constexpr int kLocks = 40;
 constexpr float kSweptLocksAcross = 11;  // The sheet counts as so many locks, for the stripes on it.
 
 // Combed from the hairline at `around_deg` back over the top, a little to the character's right, so that a
@@ -40,7 +40,8 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
     for (int c = 0; c < kColumns; ++c) {
       const float around = kHalf_deg - 2 * kHalf_deg * static_cast<float>(c) / (kColumns - 1);
       Comb comb = CombFrom(look, around);
-      comb.lift_cm += 0.16F * (Noise(around * 0.22F, t) - 0.5F) + 0.08F * (Noise(around * 0.5F, t + 5) - 0.5F);
+      comb.lift_cm +=
+          0.16F * (Noise(around * 0.22F, t) - 0.5F) + 0.08F * (Noise(around * 0.5F, t + 5) - 0.5F);
       sheet.points.push_back(OnComb(look.skull, comb, t));
     }
   }
@@ -52,7 +53,7 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
 // A lock over the sheet, which ends before the sheet does.
 void AddTopLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
-  shape.width_cm = dice.Between(0.5F, 1.2F);
+  shape.width_cm = dice.Between(0.7F, 1.4F);
   // Thinner at the temples, where they lie one above the other.
   shape.thickness_cm = dice.Between(0.09F, 0.16F) * (1 - 0.45F * SmoothStep(50, 80, std::abs(around_deg)));
   shape.root = 0.7F;

@@ -98,7 +98,8 @@ TEST(AppearanceCanvas, DrawsAStrokeWhereItLiesAndNowhereElse) {
 // How light even skin of 1 is at a place after one crease across the middle of the face.
 float LightUnderCrease(glm::vec2 place_cm, float half_width_cm) {
   SkinLook look;
-  look.lines = {1, {{.path_cm = {glm::vec2(0, 4), {2, 4}, {4, 4}}, .half_width_cm = half_width_cm, .strength = 0.5F}}};
+  look.lines = {
+      1, {{.path_cm = {glm::vec2(0, 4), {2, 4}, {4, 4}}, .half_width_cm = half_width_cm, .strength = 0.5F}}};
   Texel texel;
   texel.place_cm = place_cm;
   Paint paint{{1, 1, 1}, 0};
