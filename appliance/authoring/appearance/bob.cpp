@@ -165,7 +165,8 @@ void AddPartedLocks(ClothMesh& mesh, const HairLook& look) {
       comb.root_cm = 0.1F;
       comb.lift_cm = 0.22F + 0.03F * static_cast<float>(i);
       comb.end_cm = 0.3F;
-      const LockShape shape{dice.Between(1.6F, 2.1F), dice.Between(0.18F, 0.26F), 0.5F, 0.35F, 0.8F, 0.5F, 10};
+      const LockShape shape{
+          dice.Between(1.6F, 2.1F), dice.Between(0.18F, 0.26F), 0.5F, 0.35F, 0.8F, 0.5F, 10};
       AddLock(
           mesh, look.skull, [&](float t) { return OnComb(look.skull, comb, t); }, shape);
     }
