@@ -12,6 +12,14 @@ namespace {
 
 // The band of light is the hair's own colour and a little of the lamp's.
 constexpr glm::vec3 kGleam{0.16F, 0.10F, 0.065F};
+// What of a hair's own colour it mirrors; light hair no more than this, or silver would look like plastic.
+constexpr float kOwnGleam = 3.2F;
+constexpr float kMostGleam = 0.34F;
+
+float GleamOf(glm::vec3 paint) {
+  const float brightest = std::max({paint.x, paint.y, paint.z, kMostGleam / kOwnGleam});
+  return kMostGleam / brightest;
+}
 
 // Hair below this share is not drawn, and above kWhole it is drawn as it was cut, which is cheaper.
 constexpr float kHairGone = 0.004F;
@@ -148,7 +156,7 @@ void HairPass::DrawWorn(const Appearance& appearance, const WornHair& worn, glm:
     if (prop.part != face::Part::kHair || (!prop.hard && worn.grown < kHairGone)) continue;
     const glm::vec3 paint = prop.hard || worn.whole ? prop.paint : worn.own * prop.paint + worn.others;
     gl::Program::Set(variant.paint, paint);
-    gl::Program::Set(variant.gleam, paint * 3.2F + kGleam);
+    gl::Program::Set(variant.gleam, paint * GleamOf(paint) + kGleam);
     gl::Program::Set(variant.grown, glm::vec2(prop.hard ? kBeyondTips : worn.grown * kBeyondTips,
                                               prop.hard ? 1 - worn.present : 0.0F));
     gl::Program::Set(variant.part,

@@ -51,7 +51,7 @@ void main() {
   c *= mix(mix(1.0, lit, 0.35 + 0.65 * soft), 1.0, answer.y * smoothstep(1.04, 1.0, r));
   float glint = smoothstep(0.9805, 0.9920, dot(d, glint_at));
   float veil = 0.010 * smoothstep(0.2, 0.9, dot(d, vec3(1.5 * glint_at.xy, 0.70)));
-  float tears = smoothstep(0.0, 0.025, over_lower) * smoothstep(0.085, 0.045, over_lower);
-  c += (0.95 * glint + veil + 0.22 * tears * shade.x) * answer.x * soft;
+  float tears = smoothstep(0.0, 0.02, over_lower) * smoothstep(0.055, 0.02, over_lower);
+  c += (0.95 * glint + veil + 0.14 * tears * shade.x) * answer.x * soft;
   colour = Coded(c * key.w);
 }

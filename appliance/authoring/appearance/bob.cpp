@@ -10,10 +10,10 @@ namespace {
 
 // Locks over the sheets; fewer show the sheet as one piece, more cost triangles.
 constexpr int kCurtainLocks = 22;
-constexpr int kTips = 15;          // Of the fringe's sheet,
-constexpr int kColumnsPerTip = 4;  // each drawn with so many columns.
+constexpr int kTips = 20;          // Of the fringe's sheet,
+constexpr int kColumnsPerTip = 3;  // each drawn with so many columns.
 constexpr int kFringeRows = 10;
-constexpr int kFringeLocks = 17;
+constexpr int kFringeLocks = 19;
 // The fringe reaches this far under the curtain, so that no gap opens between them.
 constexpr float kFringeOverlap_deg = 3;
 
@@ -34,7 +34,7 @@ std::array<Tip, kTips> ShareOutTips(float half_deg, Dice& dice) {
   float at_deg = -half_deg;
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const float width_deg = 2 * half_deg * widths[i] / sum;
-    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.12F, 0.5F), 0.3F * width_deg * dice.Spread()};
+    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.2F, 0.6F), 0.5F * width_deg * dice.Spread()};
     at_deg += width_deg;
   }
   return tips;
@@ -49,7 +49,7 @@ struct Column {
 
 // At `x` 0..1 across a tip.
 Column ColumnOf(const HairLook& look, const Tip& tip, float x) {
-  const float round = 1 - std::pow(std::abs(2 * x - 1), 1.6F);  // 1 in the middle of the tip, 0 in the notch.
+  const float round = 1 - std::pow(std::abs(2 * x - 1), 1.2F);  // 1 in the middle of the tip, 0 in the notch.
   Column c;
   c.around_deg = tip.from_deg + (tip.to_deg - tip.from_deg) * x;
   c.end_y_cm = Table(look.fringe_cm, std::abs(c.around_deg)) + tip.drop_cm * (0.8F - round);
@@ -106,14 +106,14 @@ void AddFringeSheet(ClothMesh& mesh, const HairLook& look, Dice& dice) {
 // A lock over the sheet, of chance width and length.
 void AddFringeLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
-  shape.width_cm = dice.Between(0.6F, 1.8F);
-  shape.thickness_cm = dice.Between(0.16F, 0.28F);
+  shape.width_cm = dice.Between(0.5F, 1.2F);
+  shape.thickness_cm = dice.Between(0.09F, 0.17F);
   shape.root = 0.5F;
-  shape.tip = dice.Between(0.2F, 0.5F);
-  shape.tapers_from = dice.Between(0.78F, 0.9F);
+  shape.tip = dice.Between(0.12F, 0.28F);
+  shape.tapers_from = dice.Between(0.66F, 0.82F);
   shape.rings = 7;  // Short, and many.
   Fringe fringe;
-  fringe.end_y_cm = Table(look.fringe_cm, std::abs(around_deg)) + dice.Between(-0.3F, 0.12F);
+  fringe.end_y_cm = Table(look.fringe_cm, std::abs(around_deg)) + dice.Between(-0.3F, 0.15F);
   fringe.offset_cm = look.volume_cm + dice.Between(0.05F, 0.2F);
   fringe.sweep_deg = SweepAt(look, around_deg);
   const float lean_deg = 3.0F * dice.Spread();
@@ -153,20 +153,20 @@ void AddFramingLocks(ClothMesh& mesh, const HairLook& look) {
 // Between the parting in the middle and the curtain, hair is combed from the hairline to the sides, one lock
 // behind the other, and runs under the curtain's edge.
 void AddPartedLocks(ClothMesh& mesh, const HairLook& look) {
-  constexpr int kPartedLocks = 5;  // A side.
+  constexpr int kPartedLocks = 6;  // A side.
   Dice dice(look.seed + 5);
   for (const float side : {1.0F, -1.0F}) {
     for (int i = 0; i < kPartedLocks; ++i) {
-      const float behind_deg = 5.5F * static_cast<float>(i);
+      const float behind_deg = 4.6F * static_cast<float>(i);
       Comb comb;
-      comb.from = Direction(side * 2, look.parting_deg + 3 + 1.6F * behind_deg);
-      comb.over = Direction(side * (34 + 0.6F * behind_deg), look.parting_deg - 3 + behind_deg);
+      comb.from = Direction(side * 2, look.parting_deg + 1 + 1.6F * behind_deg);
+      comb.over = Direction(side * (34 + 0.6F * behind_deg), look.parting_deg - 9 + 1.15F * behind_deg);
       comb.to = Direction(side * (look.opens_at_deg + 8 + 0.3F * behind_deg), -4);
       comb.root_cm = 0.1F;
       comb.lift_cm = 0.22F + 0.03F * static_cast<float>(i);
       comb.end_cm = 0.3F;
       const LockShape shape{
-          dice.Between(1.9F, 2.4F), dice.Between(0.22F, 0.32F), 0.5F, 0.35F, 0.8F, 0.5F, 10};
+          dice.Between(1.6F, 2.1F), dice.Between(0.18F, 0.26F), 0.5F, 0.35F, 0.8F, 0.5F, 10};
       AddLock(
           mesh, look.skull, [&](float t) { return OnComb(look.skull, comb, t); }, shape);
     }

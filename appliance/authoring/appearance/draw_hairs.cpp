@@ -1,6 +1,5 @@
-// What is drawn hair by hair: brows, a moustache, the hairline; and lines and freckles.
+// What is drawn stroke by stroke: brows, a moustache, the hairline; and freckles.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -43,7 +42,9 @@ Stroke BrowHair(const BrowLook& look, Dice& dice) {
   const glm::vec2 up(-along.y, along.x);
   const float half_cm = Table(look.half_width_cm, t);
   const float lie = SmoothStep(0, 0.45F, t);
-  const float turn = 56 * (1 - lie) + (across < 0 ? 24.0F : -14.0F) * lie + 9 * dice.Spread();
+  // The outermost lie along the path: hooks at a brow's end look stuck on.
+  const float inwards = 1 - SmoothStep(0.6F, 0.95F, t);
+  const float turn = 56 * (1 - lie) + ((across < 0 ? 24.0F : -14.0F) * lie + 9 * dice.Spread()) * inwards;
   const float length_cm = (0.42F + 0.2F * SmoothStep(0, 0.3F, t) - 0.2F * t) * dice.Between(0.75F, 1.2F) *
                           (0.6F + 0.9F * std::min(half_cm, 0.45F));
   Stroke hair;
@@ -52,7 +53,7 @@ Stroke BrowHair(const BrowLook& look, Dice& dice) {
   hair.tip_cm = hair.bend_cm + Turned(along, turn - 16) * (0.5F * length_cm);
   hair.half_width_cm = dice.Between(0.016F, 0.03F);
   hair.opacity = look.amount * dice.Between(0.5F, 0.95F) * (0.3F + 0.7F * SmoothStep(0, 0.22F, t)) *
-                 (1 - 0.6F * SmoothStep(0.8F, 1, t));
+                 (1 - 0.85F * SmoothStep(0.72F, 1, t));
   hair.colour = look.colour * dice.Between(0.6F, 1.25F);
   return hair;
 }
@@ -62,16 +63,18 @@ Stroke MoustacheHair(const MoustacheLook& look, Dice& dice) {
   const float u = look.from_cm + look.reach_cm * dice.Unit();
   const float fall = look.fall_per_cm * u * u;
   const float thick_cm = look.thickness_cm * (1 - 0.7F * u / look.thins_over_cm);
-  const glm::vec2 root(u, look.y_cm - fall - thick_cm * dice.Unit());
+  // Roots lie closest at the upper edge, and no two hairs end in one line.
+  const glm::vec2 root(u, look.y_cm - fall - thick_cm * dice.Unit() * dice.Unit() + 0.04F * dice.Spread());
   const float turn = -62 + 44 * Clamp01(u / look.turns_over_cm) + 12 * dice.Spread();
-  const float length_cm = dice.Between(0.22F, 0.42F);
+  const float length_cm = dice.Between(0.2F, 0.46F);
   Stroke hair;
   hair.root_cm = root;
   hair.bend_cm = root + Turned({1, 0}, turn + 10) * (0.5F * length_cm);
   hair.tip_cm = hair.bend_cm + Turned({1, 0}, turn - 14) * (0.5F * length_cm);
   // Fine hairs, fewer towards the middle and the ends, so that skin is seen between them and no edge is.
   hair.half_width_cm = dice.Between(0.012F, 0.026F);
-  hair.opacity = look.amount * dice.Between(0.6F, 0.95F) * SmoothStep(look.from_cm, look.from_cm + 0.35F, u) *
+  hair.opacity = look.amount * dice.Between(0.6F, 0.95F) *
+                 SmoothStep(look.from_cm - 0.1F, look.from_cm + 0.4F, u) *
                  (1 - 0.75F * SmoothStep(0.62F, 1, (u - look.from_cm) / look.reach_cm));
   hair.colour = look.colour * dice.Between(0.6F, 1.5F);
   return hair;
@@ -93,23 +96,6 @@ Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
 
 // Freckles fade to either side of their middle.
 constexpr float kFrecklesFade_cm = 2.6F;
-
-// A crease as strokes on both sides: a wide soft fold with a fine line in it; one width all over would look
-// like a scratch. Multiplying the skin by a brownish shade darkens it as blood and shadow do, at every colour
-// of skin.
-void DrawCrease(Canvas& canvas, const Crease& crease, float amount, glm::vec3 base) {
-  if (amount <= 0) return;
-  constexpr std::array<float, 6> kWidths{4.2F, 3.2F, 2.3F, 1.5F, 0.8F, 0.35F};
-  const glm::vec3 shade = base * glm::vec3(0.45F, 0.32F, 0.28F);
-  for (const float side : {1.0F, -1.0F}) {
-    for (const float width : kWidths) {
-      DrawOnSide(canvas,
-                 {crease.path_cm[0], crease.path_cm[1], crease.path_cm[2], crease.half_width_cm * width,
-                  amount * crease.strength / static_cast<float>(kWidths.size() - 1), shade},
-                 side);
-    }
-  }
-}
 
 }  // namespace
 
@@ -157,11 +143,6 @@ void DrawHairline(Canvas& canvas, const ScalpLook& look) {
     Dice dice(side > 0 ? 31 : 32);
     for (int i = 0; i < hairs; ++i) DrawOnSide(canvas, HairlineHair(look, dice), side);
   }
-}
-
-void DrawLines(Canvas& canvas, const SkinLook& look) {
-  for (const Creases* kind : {&look.lines, &look.wrinkles})
-    for (const Crease& crease : kind->creases) DrawCrease(canvas, crease, kind->amount, look.base);
 }
 
 // As many as 130, about one side or the other.

@@ -22,7 +22,7 @@ struct LockShape {
   float tip = 0.05F;
   // Cross-sections from root to tip; 3 at least.
   int rings = 11;
-  // Up to here it lies on the skull, where it bends most and has two thirds of its rings; from here on it
+  // Up to here it lies on the skull, where it has a little over half of its rings; from here on it
   // hangs. 1: rings are even.
   float hangs_from = 1;
 };

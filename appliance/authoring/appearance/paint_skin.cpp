@@ -51,7 +51,7 @@ void PaintNostrils(glm::vec2 p, const SkinLook& look, Paint& paint) {
   const glm::vec2 q = (p - look.nostrils_spot.at_cm) / look.nostrils_spot.radii_cm;
   const float hole = std::exp(-std::pow(q.x * q.x + q.y * q.y, 1.5F));
   paint.Mix(0.72F * amount * hole, Hex("#6a2e26"));
-  paint.Mix(0.10F * amount * Bell2(p, {1.25F, -3.75F}, {0.18F, 0.5F}), Hex("#a85c4c"));  // The wing's crease.
+  paint.Mix(0.16F * amount * Bell2(p, {1.25F, -3.75F}, {0.22F, 0.5F}), Hex("#a85c4c"));  // The wing's crease.
   paint.Mix(0.08F * amount * Bell2(p, {0, -4.95F}, {0.22F, 0.3F}), Hex("#b87060"));      // The philtrum.
 }
 
@@ -97,7 +97,8 @@ void PaintLids(const Texel& texel, const LidLook& look, Paint& paint) {
   // By ring numbers, so that paint follows the lids on every face: shadow from ring 1 up to the edge (5), the
   // fold at ring 3, below the eye a faint shadow at ring 2.
   paint.Mix(upper * SmoothStep(1.4F, 4.6F, k) * look.shadow_amount, look.shadow);
-  paint.Mix(upper * Bell(k - 3.1F, 0.24F) * 0.45F * SmoothStep(1.7F, 2.4F, p.x), look.shadow * 0.45F);
+  paint.Mix(upper * Bell(k - 3.1F, 0.24F) * 0.45F * SmoothStep(1.7F, 2.4F, p.x) * SmoothStep(5.2F, 4.0F, p.x),
+            look.shadow * 0.45F);
   paint.Mix(lower * Bell(k - 2.2F, 0.9F) * 0.10F, look.shadow);
   // The rim of the lower lid, then the liners, which begin outwards of the inner corner.
   paint.Mix(look.flesh * lower * SmoothStep(4.45F, 4.95F, k) * 0.5F, Hex("#7a4438"));

@@ -22,6 +22,7 @@ void PaintHide(const Texel& texel, const SkinLook& look, Paint& paint) {
 // In the order of the layers: each of them covers what was painted before it.
 void PaintTexel(const Texel& texel, const FaceLook& look, Paint& paint) {
   PaintHide(texel, look.skin, paint);
+  PaintLines(texel, look.skin, paint);
   PaintScalp(texel, look.scalp, paint);
   PaintLids(texel, look.lids, paint);
   if (look.skin.hide == Hide::kCoat) {
@@ -44,7 +45,6 @@ face::Texture PaintFace(const Atlas& atlas, const FaceLook& look) {
   }
   // Fur first, since it takes its colour from what is there; brows last, over all.
   if (look.skin.hide == Hide::kCoat) DrawFur(canvas, look.skin.coat);
-  DrawLines(canvas, look.skin);
   DrawFreckles(canvas, look.skin);
   DrawHairline(canvas, look.scalp);
   DrawMoustache(canvas, look.moustache);

@@ -27,6 +27,8 @@ void PaintLips(const Texel& texel, const LipLook& look, Paint& paint);
 // A dog's lips: dark at the edge only.
 void PaintMuzzleLips(const Texel& texel, Paint& paint);
 void PaintBag(const Texel& texel, const LipLook& look, Paint& paint);
+// Both kinds of creases.
+void PaintLines(const Texel& texel, const SkinLook& look, Paint& paint);
 // The band under the brow's hairs, or the whole brow where it has none.
 void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint);
 // The ground of the hair.
@@ -36,8 +38,6 @@ void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint);
 void DrawBrows(Canvas& canvas, const BrowLook& look);
 // As many hairs a side as the look says; nothing at an amount of 0.
 void DrawMoustache(Canvas& canvas, const MoustacheLook& look);
-// Both kinds of creases.
-void DrawLines(Canvas& canvas, const SkinLook& look);
 // About the spot of the look, on either side.
 void DrawFreckles(Canvas& canvas, const SkinLook& look);
 // Short hairs over the edge of the painted scalp.

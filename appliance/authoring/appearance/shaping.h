@@ -22,10 +22,10 @@ inline float StepShare(int i, int count) {
   return static_cast<float>(i) / static_cast<float>(count - 1);
 }
 
-// Steps 0 .. 1 of what lies on a round up to `hangs_from` and hangs from there: two thirds of them on the
+// Steps 0 .. 1 of what lies on a round up to `hangs_from` and hangs from there: a little over half of them on the
 // round, which bends most. Even steps where `hangs_from` is 1.
 inline float HangingStep(float share, float hangs_from) {
-  constexpr float kOnRound = 0.66F;
+  constexpr float kOnRound = 0.55F;
   if (hangs_from >= 1) return share;
   if (share < kOnRound) return share / kOnRound * hangs_from;
   return hangs_from + (share - kOnRound) / (1 - kOnRound) * (1 - hangs_from);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kRows = 14;
 constexpr int kColumns = 61;
 constexpr float kHalf_deg = 104;  // The combed top reaches this far round, to behind the ears.
-constexpr int kLocks = 36;
+constexpr int kLocks = 40;
 constexpr float kSweptLocksAcross = 11;  // The sheet counts as so many locks, for the stripes on it.
 
 // Combed from the hairline at `around_deg` back over the top, a little to the character's right, so that a
@@ -40,7 +40,8 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
     for (int c = 0; c < kColumns; ++c) {
       const float around = kHalf_deg - 2 * kHalf_deg * static_cast<float>(c) / (kColumns - 1);
       Comb comb = CombFrom(look, around);
-      comb.lift_cm += 0.3F * (Noise(around * 0.22F, t) - 0.5F) + 0.16F * (Noise(around * 0.5F, t + 5) - 0.5F);
+      comb.lift_cm +=
+          0.16F * (Noise(around * 0.22F, t) - 0.5F) + 0.08F * (Noise(around * 0.5F, t + 5) - 0.5F);
       sheet.points.push_back(OnComb(look.skull, comb, t));
     }
   }
@@ -52,17 +53,17 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
 // A lock over the sheet, which ends before the sheet does.
 void AddTopLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
-  shape.width_cm = dice.Between(0.9F, 2.0F);
+  shape.width_cm = dice.Between(0.7F, 1.4F);
   // Thinner at the temples, where they lie one above the other.
-  shape.thickness_cm = dice.Between(0.12F, 0.24F) * (1 - 0.45F * SmoothStep(50, 80, std::abs(around_deg)));
+  shape.thickness_cm = dice.Between(0.09F, 0.16F) * (1 - 0.45F * SmoothStep(50, 80, std::abs(around_deg)));
   shape.root = 0.7F;
   shape.full_from = 0.3F;
   shape.tapers_from = 0.55F;
-  shape.tip = dice.Between(0.1F, 0.3F);
+  shape.tip = dice.Between(0.04F, 0.15F);
   shape.rings = 8;  // Thin, and many.
   Comb comb = CombFrom(look, around_deg);
   comb.root_cm = 0.0F;
-  comb.lift_cm += dice.Between(-0.04F, 0.1F);
+  comb.lift_cm += dice.Between(0.04F, 0.15F);
   const float until = dice.Between(0.75F, 0.97F);
   AddLock(
       mesh, look.skull, [=, &look](float t) { return OnComb(look.skull, comb, t * until); }, shape);

@@ -95,6 +95,34 @@ TEST(AppearanceCanvas, DrawsAStrokeWhereItLiesAndNowhereElse) {
   EXPECT_EQ(canvas.Sample({-0.8F, 2}).r, 0);
 }
 
+// How light even skin of 1 is at a place after one crease across the middle of the face.
+float LightUnderCrease(glm::vec2 place_cm, float half_width_cm) {
+  SkinLook look;
+  look.lines = {
+      1, {{.path_cm = {glm::vec2(0, 4), {2, 4}, {4, 4}}, .half_width_cm = half_width_cm, .strength = 0.5F}}};
+  Texel texel;
+  texel.place_cm = place_cm;
+  Paint paint{{1, 1, 1}, 0};
+  PaintLines(texel, look, paint);
+  return paint.colour.g;
+}
+
+TEST(AppearanceCrease, GoesOverTheMiddleOfTheFaceAsOneLine) {
+  EXPECT_LT(LightUnderCrease({0, 4}, 0.1F), 0.8F);
+  EXPECT_NEAR(LightUnderCrease({0, 4}, 0.1F), LightUnderCrease({0.5F, 4}, 0.1F), 0.01F);
+  EXPECT_EQ(LightUnderCrease({-0.5F, 4}, 0.1F), LightUnderCrease({0.5F, 4}, 0.1F));
+}
+
+TEST(AppearanceCrease, DiesAwayAtItsEnd) {
+  EXPECT_GT(LightUnderCrease({3.95F, 4}, 0.1F), 0.9F);
+}
+
+TEST(AppearanceCrease, HasALineInItsFoldAndLightBelowWhereItIsNarrowAlone) {
+  EXPECT_LT(LightUnderCrease({1, 4}, 0.1F), LightUnderCrease({1, 4}, 0.5F) - 0.05F);
+  EXPECT_GT(LightUnderCrease({1, 3.7F}, 0.1F), LightUnderCrease({1, 4.3F}, 0.1F));
+  EXPECT_EQ(LightUnderCrease({1, 2.9F}, 0.5F), LightUnderCrease({1, 5.1F}, 0.5F));
+}
+
 // The mean place of what a moustache of this recipe covers, on the side of positive x.
 glm::vec2 MiddleOfMoustache(const MoustacheLook& look) {
   Canvas canvas(SmallAtlas());
