@@ -139,6 +139,7 @@ std::vector<Check> PowerChecks();
 std::vector<Check> DataChecks();
 // A company's own show, which a stick brings.
 std::vector<Check> StickChecks();
+std::vector<Check> BackupChecks();
 // The screens that a box may find, and what is on its screen from power to the face.
 std::vector<Check> DisplayChecks();
 // Screens are plugged in and unplugged, and one shows the box's status.

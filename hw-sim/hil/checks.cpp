@@ -77,7 +77,7 @@ std::vector<Check> AllChecks() {
         LineChecks(),     SoundChecks(),         LibcameraChecks(), CableChecks(),   HangChecks(),
         ToolChecks(),     AuthorisationChecks(), AloneChecks(),     SpeedChecks(),   GadgetChecks(),
         LoopChecks(),     SamplingChecks(),      DisplayChecks(),   OutputChecks(),  LastFaceChecks(),
-        RecoveryChecks(), PowerChecks(),         StickChecks(),     DataChecks(),    DiskChecks(),
+        RecoveryChecks(), PowerChecks(),         StickChecks(),     BackupChecks(), DataChecks(),    DiskChecks(),
         StartChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
