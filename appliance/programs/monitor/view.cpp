@@ -70,8 +70,9 @@ Tag GoOf(const Moment& moment) {
 std::string ComesOf(const Moment& moment) {
   using Phase = performance::CueRun::Phase;
   const board::ShowNow& now = moment.show_now.value;
+  const auto& cues = moment.show.cue_list.cues;
+  if (now.cue_pending < 0 || std::size_t(now.cue_pending) >= cues.size()) return {};
   const CueWords cue = WordsOf(moment.show.cue_list, now.cue_pending);
-  if (now.cue_pending < 0) return {};
   const double left_s = std::ceil(double{now.cue_left_s} * 10) / 10;  // Tenths, so that 0.0 is never told.
   switch (moment.state.cue_run.phase) {
     case Phase::kPreWait:
@@ -84,7 +85,7 @@ std::string ComesOf(const Moment& moment) {
       return {};
   }
   const char* what = "a person";
-  switch (moment.show.cue_list.cues[std::size_t(now.cue_pending)].wait.person) {
+  switch (cues[std::size_t(now.cue_pending)].wait.person) {
     case show::CuePerson::kMouthShut:
       what = "a shut mouth";
       break;

@@ -135,7 +135,7 @@ TEST(ShowFiles, RowsOfTheAimTableMustRise) {
 
 TEST(ShowFiles, AnExpressionMayOnlyMovePointsThatExist) {
   ShowCopy show;
-  show.Replace("expressions.toml", "MC = [0.7,", "MX = [0.7,");
+  show.Replace("expressions.toml", "MC = [0.66,", "MX = [0.66,");
   EXPECT_THAT(show.Complaint(),
               ContainsRegex("expressions.toml:[0-9]+: expression.[0-9]+..both.MX: is no control point"));
 }
