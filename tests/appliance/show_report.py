@@ -40,7 +40,7 @@ PROGRAMS = {"test-performance": "*Jump*:*PanicCalls*:*RandomTakeOvers*:*HandOver
             "test-core": "*PlaysAgainToTheBit:*FewBytesForAMinute",
             "test-script": "*PlaysWhatTheOperatorDid:*AWrongTake.*",
             "test-pack-authoring": "*AMistake.*",
-            "test-evening": "DefaultList.*:ManyCues.*",
+            "test-cue-lists": "*",
             "test-system": "GoOverKills.*"}
 
 

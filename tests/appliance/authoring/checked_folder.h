@@ -35,6 +35,12 @@ class CheckedFolder : public PackTest {
     std::ofstream(show_ / file, std::ios::app) << text;
   }
 
+  // For tests/appliance/show_report.py: this test has a faulty file, and what is wrong with it was named or not.
+  static void CountNamed(bool named) {
+    RecordProperty("faulty_files", 1);
+    RecordProperty("faulty_files_named", named ? 1 : 0);
+  }
+
   const std::filesystem::path show_ = folder_ / "show";
 };
 

@@ -230,9 +230,7 @@ TEST_P(AMistake, IsRefusedWithFileLineAndReason) {
     Replace(mistake.file, mistake.what, mistake.with);
   const auto faults = CheckFolder(show_).faults;
   EXPECT_THAT(faults, Contains(ContainsRegex(mistake.says)));
-  RecordProperty("faulty_files", 1);
-  RecordProperty("faulty_files_named",
-                 ::testing::Value(faults, Contains(ContainsRegex(mistake.says))) ? 1 : 0);
+  CountNamed(::testing::Value(faults, Contains(ContainsRegex(mistake.says))));
 }
 
 std::string NameOf(const ::testing::TestParamInfo<Mistake>& mistake) {
