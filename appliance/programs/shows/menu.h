@@ -15,20 +15,9 @@
 namespace kaori::shows {
 
 // One thing that can be taken: a show, a key of somebody's whose shows the box shall play, a show that is on
-// the box already, a support file or a backup, which go the other way, a backup that is brought, what a restore
-// took away, and the two answers to what a restore asks.
+// the box already, or a support file, which goes the other way.
 struct Choosable {
-  enum class Kind : std::uint8_t {
-    kShow,
-    kKey,
-    kBack,
-    kSupport,
-    kBackup,
-    kRestore,
-    kPutBack,
-    kYes,
-    kNo
-  } kind = Kind::kShow;
+  enum class Kind : std::uint8_t { kShow, kKey, kBack, kSupport } kind = Kind::kShow;
   Offer offer;
   std::string remark;     // "48 MB", or a key's fingerprint.
   show::PublicKey key{};  // Of a key: what is taken is what was shown, whatever the stick says later.
@@ -46,8 +35,8 @@ class Menu {
   static constexpr Duration kNobodyChooses = std::chrono::minutes(2);
 
   // What can be taken from now on; the first is marked. Presses from before count no more. `left_out` more lie
-  // on the stick, which have no number. `notes` stand below, and cannot be taken.
-  void Offer(std::vector<Choosable> choices, std::size_t left_out = 0, std::vector<std::string> notes = {});
+  // on the stick, which have no number.
+  void Offer(std::vector<Choosable> choices, std::size_t left_out = 0);
 
   // A list without anything in it stays shut.
   void Open(Time now);
@@ -77,7 +66,6 @@ class Menu {
 
   std::vector<Choosable> choices_;
   std::size_t left_out_ = 0;
-  std::vector<std::string> notes_;
   std::size_t marked_ = 0;
   std::optional<Time> open_until_;
   // Counters as they stood at the last look; nothing before the first.

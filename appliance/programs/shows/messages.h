@@ -23,14 +23,6 @@ enum class Message : std::uint8_t {
   kKeyTaken,      // A public key was kept: shows that it signed will play.
   kWriting,       // The support file is on its way to the stick.
   kWritten,       // It is there.
-  kBackingUp,      // A backup is on its way to the stick.
-  kBackedUp,       // It is there.
-  kReadingBackup,  // A backup is being copied from the stick and checked.
-  kAskRestore,     // What it would change is listed: is that wanted?
-  kNothingDiffers,
-  kRestoreWaits,  // It is done at the next start.
-  kUndoWaits,     // What the last restore took away comes back at the next start.
-  kLeft,          // Somebody did not want it.
   kNotAShow,      // Another kind of file.
   kDamaged,       // Its checksum or its signature does not fit.
   kCutOff,        // Its end is missing.
@@ -46,15 +38,11 @@ enum class Message : std::uint8_t {
   kDiskFault,        // The box's own disk cannot be written.
   kUnplayable,       // It is whole and trusted, and does not play.
   kKeyOff,           // The service key was turned back on the way.
-  kStickFull,        // The stick has no room for what is written onto it.
+  kStickFull,        // The stick has no room for the support file.
   kStickUnwritable,  // It cannot be written, or does not hold what was written.
-  kSupportPulled,    // It was pulled while a file was written onto it.
-  kNotABackup,       // Another kind of file.
-  kNewerBackup,
-  kOutside,     // A name of it leads out of the folders of a box.
-  kChanged,     // The box's files changed while they were copied.
+  kSupportPulled,    // It was pulled while the support file was written.
 };
-inline constexpr std::size_t kMessageCount = 42;
+inline constexpr std::size_t kMessageCount = 30;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 
