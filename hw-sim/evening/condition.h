@@ -14,38 +14,65 @@ namespace kaori::sim {
 
 // How the show stands at one moment, where the board alone does not tell.
 struct ShowSeen {
-  std::uint64_t pictures = 0;   // That the screen has accepted, over all stages of the evening.
-  float blackout = 0;           // Of the newest picture: 0 lit .. 1 black.
-  std::uint64_t log_bytes = 0;  // Of the show log on the disk.
+  // That the screen has accepted, over all stages of the evening.
+  std::uint64_t pictures = 0;
+  // Of the newest picture: 0 lit .. 1 black.
+  float blackout = 0;
+  // Of the show log on the disk.
+  std::uint64_t log_bytes = 0;
 };
 
 struct Condition {
   enum class Kind : std::uint8_t {
-    kCue,       // This cue was played last.
-    kStandby,   // This cue stands by.
-    kRefused,   // A GO was refused,
-    kUnknown,   // a call named what the show has not,
-    kLost,      // calls came faster than the board keeps them,
-    kPicture,   // a picture was presented,
-    kNewBoard,  // another board took the place of the one before,
-    kLogGrows,  // and the show log grew, all since the condition was begun.
-    kPaused,    // The cue list holds,
-    kRunning,   // or does not.
-    kPanic,     // The panic scene is on.
-    kWaiting,   // The pending cue waits for a person.
-    kDark,      // The newest picture is all black,
-    kLit,       // or as it is lit.
-    kLive,      // The device on this port is there,
-    kStale,     // or gone or silent.
-    kMouth,     // Lips or voice have the mouth,
-    kOwner,     // and this one the level.
-    kLevel,     // The level has this value, to within 2 % of its range.
+    // This cue was played last.
+    kCue,
+    // This cue stands by.
+    kStandby,
+    // A GO was refused,
+    kRefused,
+    // a call named what the show has not,
+    kUnknown,
+    // calls came faster than the board keeps them,
+    kLost,
+    // a picture was presented,
+    kPicture,
+    // another board took the place of the one before,
+    kNewBoard,
+    // and the show log grew, all since the condition was begun.
+    kLogGrows,
+    // The cue list holds,
+    kPaused,
+    // or does not.
+    kRunning,
+    // The panic scene is on.
+    kPanic,
+    // The pending cue waits for a person.
+    kWaiting,
+    // The newest picture is all black,
+    kDark,
+    // or as it is lit.
+    kLit,
+    // The device on this port is there,
+    kLive,
+    // or gone or silent.
+    kStale,
+    // Lips or voice have the mouth,
+    kMouth,
+    // and this one the level.
+    kOwner,
+    // The level has this value, to within 2 % of its range.
+    kLevel,
   } kind = Kind::kCue;
-  int index = 0;      // The cue or the level.
-  int owner = 0;      // A board::LevelOwner.
-  double value = 0;   // Of the level, in its own unit.
-  DevicePort port{};  // Of kLive and kStale.
-  std::string words;  // As it was written.
+  // The cue or the level.
+  int index = 0;
+  // A board::LevelOwner.
+  int owner = 0;
+  // Of the level, in its own unit.
+  double value = 0;
+  // Of kLive and kStale.
+  DevicePort port{};
+  // As it was written.
+  std::string words;
 };
 
 // Reads one; names of cues and levels are those of the show. A problem is added to the tokenizer's where

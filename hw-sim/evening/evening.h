@@ -13,10 +13,14 @@
 namespace kaori::sim {
 
 struct EveningOptions {
-  std::string file{};    // The running order's name, for sentences.
-  std::string folder{};  // For passing files and the show log; made if it is not there, emptied where it is.
-  std::uint64_t seed = 1;  // Of what operators do between the order's lines.
-  bool improvised = true;  // False: nobody does anything but what the order's lines say.
+  // The running order's name, for sentences.
+  std::string file{};
+  // For passing files and the show log; made if it is not there, emptied where it is.
+  std::string folder{};
+  // Of what operators do between the order's lines.
+  std::uint64_t seed = 1;
+  // False: nobody does anything but what the order's lines say.
+  bool improvised = true;
   // Of the screen. Few pictures are drawn, since drawing takes nearly all of the time; each frame is
   // performed, logged and presented all the same.
   int width_px = 160, height_px = 90;

@@ -43,7 +43,8 @@ class Incidents {
   Rehearsal& rehearsal_;
   stage::ShowLog& log_;
   StageCaller page_;
-  std::filesystem::path full_;  // The log's file while its disk is full; empty: it is not.
+  // The log's file while its disk is full; empty: it is not.
+  std::filesystem::path full_;
 };
 
 }  // namespace kaori::sim

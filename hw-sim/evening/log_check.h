@@ -17,13 +17,16 @@ namespace kaori::sim {
 // A picture that was drawn in the evening.
 struct DrawnPicture {
   Time presented_at{};
-  std::uint64_t sum = 0;  // Of its pixels.
+  // Of its pixels.
+  std::uint64_t sum = 0;
 };
 
 // What was shown in an evening.
 struct ShownEvening {
-  std::vector<DrawnPicture> pictures;  // In the order of time.
-  Time last{};                         // The last frame of all was presented then; Time{}: there was none.
+  // In the order of time.
+  std::vector<DrawnPicture> pictures;
+  // The last frame of all was presented then; Time{}: there was none.
+  Time last{};
 };
 
 // The sum of what the studio drew last; nothing where it cannot be read, which is no picture that could be

@@ -35,11 +35,14 @@ inline constexpr int kNoFault = -1;
 
 struct Expectation {
   Duration at{};
-  Duration time{};    // Within it, or for so long.
-  bool keep = false;  // Must hold at every moment.
+  // Within it, or for so long.
+  Duration time{};
+  // Must hold at every moment.
+  bool keep = false;
   Condition condition;
   int line = 0;
-  int fault = kNoFault;  // Of RunningOrder::faults.
+  // Of RunningOrder::faults.
+  int fault = kNoFault;
 };
 
 // What befalls the box, or what a page calls, besides what operators do with devices.
@@ -59,11 +62,16 @@ struct Incident {
     kFreeze
   } kind{};
   Duration at{};
-  std::string words;  // The call.
-  DevicePort port{};  // Of kTear and kGarbage.
-  int count = 0;      // Bytes, or calls.
-  Program program{};  // Of kEnd and kStart.
-  Duration length{};  // Of kFreeze.
+  // The call.
+  std::string words;
+  // Of kTear and kGarbage.
+  DevicePort port{};
+  // Bytes, or calls.
+  int count = 0;
+  // Of kEnd and kStart.
+  Program program{};
+  // Of kFreeze.
+  Duration length{};
   int line = 0;
 };
 
@@ -75,15 +83,20 @@ struct Fault {
 
 struct RunningOrder {
   Scenario play;
-  std::vector<Incident> incidents;        // By time, as are the next two.
+  // By time, as are the next two.
+  std::vector<Incident> incidents;
   std::vector<Expectation> expectations;  //
-  std::vector<Fault> faults;              // In the order of the file.
-  Duration length{};                      // When all of it is over.
+  // In the order of the file.
+  std::vector<Fault> faults;
+  // When all of it is over.
+  Duration length{};
 };
 
 struct RunningOrderRead {
-  RunningOrder order;             // Of all lines that could be read.
-  std::vector<Problem> problems;  // By line; with any, the order is not to be played.
+  // Of all lines that could be read.
+  RunningOrder order;
+  // By line; with any, the order is not to be played.
+  std::vector<Problem> problems;
 };
 
 // Pure. Cues and levels are those of the show.

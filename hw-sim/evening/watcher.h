@@ -50,7 +50,8 @@ class Watcher {
   std::string file_;
   std::size_t next_ = 0;
   std::vector<Open> open_;
-  std::vector<bool> failed_, looked_;  // By fault: something of it is wrong; something of it was seen.
+  // By fault: something of it is wrong; something of it was seen.
+  std::vector<bool> failed_, looked_;
   std::uint64_t cues_ = 0, missed_ = 0;
   std::vector<std::string> wrong_;
 };

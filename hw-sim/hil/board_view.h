@@ -41,7 +41,8 @@ struct StageView {
 // One look at all sections of the board, each as it was at that moment. A section whose writer is away
 // keeps its last values and is not live. Units are those of appliance/core/board.
 struct BoardView {
-  std::int64_t now_ns = 0;  // The machine's clock.
+  // The machine's clock.
+  std::int64_t now_ns = 0;
   // Of the dial box.
   bool surface_live = false;
   // Accumulated; clockwise is positive; 256 a turn of the simulated box.
@@ -87,7 +88,8 @@ struct BoardView {
   // none.
   int cue_active = -1;
   int cue_pending = -1;
-  int cue_standby = 0;  // What GO plays next.
+  // What GO plays next.
+  int cue_standby = 0;
 
   // `usage` is of HID page 7.
   bool key_down(std::uint8_t usage) const { return (keys_down[usage / 32U] >> (usage % 32U) & 1U) != 0; }

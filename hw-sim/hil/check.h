@@ -18,7 +18,8 @@ enum class Verdict { kPassed, kFailed, kSkipped };
 
 // A picture of the report.
 struct Picture {
-  std::string file;  // In the report's folder.
+  // In the report's folder.
+  std::string file;
   // What people are to see in it.
   std::string caption;
   // Under the picture, and its text for those who cannot see it.
@@ -28,11 +29,14 @@ struct Picture {
 struct Finding {
   // What Skip does not change is a pass, until the runner finds an error.
   Verdict verdict = Verdict::kPassed;
-  std::string said{};  // Why it failed or was skipped; else what was seen.
+  // Why it failed or was skipped; else what was seen.
+  std::string said{};
   // In the report's folder; the first is the one that counts for a list.
   std::vector<Picture> pictures{};
-  std::map<std::string, double> figures{};                   // For out/boot.json.
-  std::vector<std::pair<std::string, std::string>> texts{};  // Name and content: outputs of tools.
+  // For out/boot.json.
+  std::map<std::string, double> figures{};
+  // Name and content: outputs of tools.
+  std::vector<std::pair<std::string, std::string>> texts{};
   // Of the check and its control, without the start of the box.
   double took_s = 0;
 };
@@ -43,13 +47,16 @@ struct Scene {
   Target& target;
   // Gets what the check finds.
   Finding& finding;
-  std::string folder;  // Of the report.
+  // Of the report.
+  std::string folder;
   // How many cables the check of re-plugs pulls.
   int replugs = 20;
-  int scenes = 0;  // Of the scenario, from its beginning; 0: all.
+  // Of the scenario, from its beginning; 0: all.
+  int scenes = 0;
   // Seeded from the command line, so that a run can be repeated.
   std::mt19937& chance;
-  std::string play;  // The scenario that is played.
+  // The scenario that is played.
+  std::string play;
 
   // Adds a picture of the screen to the finding, with the name of the check and a number as its
   // file. Errors: as VideoProtocol::Shoot.
@@ -78,17 +85,20 @@ struct Check {
   std::string name;
   // What is shown, as a sentence that is true of a box.
   std::string sentence;
-  bool chosen = false;  // Of the part that runs each time.
+  // Of the part that runs each time.
+  bool chosen = false;
   // Errors become failures. A check that cannot run says so by Skip.
   std::function<Result<void>(Scene&)> run;
-  Setup setup{};  // Of the box that it finds playing.
+  // Of the box that it finds playing.
+  Setup setup{};
   // The negative control, which the long mode tries after the check has passed: the check must fail while
   // this unit of the box is stopped ("kaori-input.service"), or this simulated device is unplugged
   // ("camera").
   std::string fails_without{};
   // The control of a check that needs another one: passes when what is wrong is seen to be wrong.
   std::function<Result<void>(Scene&)> control{};
-  bool powers = false;  // It switches the box on and off by itself; it finds it without power.
+  // It switches the box on and off by itself; it finds it without power.
+  bool powers = false;
 };
 
 // The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.

@@ -17,7 +17,8 @@ class CheckRunner {
  public:
   // Options of all checks. `report` and `play` are a folder and a file; the numbers are those of Scene.
   struct Options {
-    std::string report;  // The folder.
+    // The folder.
+    std::string report;
     // The file of a scenario; other scenarios lie beside it.
     std::string play;
     // As Scene has them.

@@ -13,9 +13,12 @@ struct PictureView {
   // Of the whole picture.
   int width_px = 0;
   int height_px = 0;
-  double lit = 0;          // Part of the pixels that are brighter than near black, 0..1.
-  int colours = 0;         // Different ones, of 4096.
-  double middle_luma = 0;  // Mean of the middle ninth, 0..1.
+  // Part of the pixels that are brighter than near black, 0..1.
+  double lit = 0;
+  // Different ones, of 4096.
+  int colours = 0;
+  // Mean of the middle ninth, 0..1.
+  double middle_luma = 0;
 };
 
 // Reads a picture and measures it. Errors: io_error (neither PNG nor binary PPM).

@@ -16,7 +16,8 @@ class PowerProtocol {
   // Gives the box power and returns; whether it starts is for others to see.
   // Errors: those of the implementation.
   virtual Result<void> On() = 0;
-  virtual void Off() = 0;  // As if the plug were pulled.
+  // As if the plug were pulled.
+  virtual void Off() = 0;
 };
 
 // What a box shows.

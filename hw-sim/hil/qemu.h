@@ -49,8 +49,10 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   // Its process has not ended; the guest may be dead all the same.
   bool runs() const { return process_ && process_->runs(); }
   const QemuOptions& options() const { return options_; }
-  std::string log() const;      // What QEMU complained of.
-  std::string console() const;  // What a machine without an agent has said on its serial line so far.
+  // What QEMU complained of.
+  std::string log() const;
+  // What a machine without an agent has said on its serial line so far.
+  std::string console() const;
 
  private:
   // Prepares the disk and starts the process. Errors: as On.
@@ -66,8 +68,10 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   std::optional<Process> process_;
   // Is there while the machine has power.
   std::optional<Qmp> qmp_;
-  int sticks_ = 0;                  // That were plugged in: each image has a name of its own in QEMU.
-  std::vector<VncScreen> screens_;  // Those that can be plugged in and unplugged.
+  // That were plugged in: each image has a name of its own in QEMU.
+  int sticks_ = 0;
+  // Those that can be plugged in and unplugged.
+  std::vector<VncScreen> screens_;
 };
 
 }  // namespace kaori::hil

@@ -12,21 +12,27 @@ namespace kaori::hil {
 
 // What a machine is, for all of its runs; a Setup says what differs for one check.
 struct QemuOptions {
-  std::string image;           // The folder with bzImage, cmdline and kaori.disk; nothing in it is written.
-  std::string bench_disk{};    // See tests/hil/bench_disk.
-  std::string bench_kernel{};  // Empty: there is none.
+  // The folder with bzImage, cmdline and kaori.disk; nothing in it is written.
+  std::string image;
+  // See tests/hil/bench_disk.
+  std::string bench_disk{};
+  // Empty: there is none.
+  std::string bench_kernel{};
   // The program that makes an image which starts in the usual way: tests/hil/usual_image.
   std::string usual_image{};
   // With images of sticks: make_sticks of tests/hil/bench.sh.
   std::string sticks{};
-  std::string folder;  // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
+  // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
+  std::string folder;
   // Of the screen, where the setup does not say otherwise.
   int width_px = 960;
   int height_px = 540;
   // Of the guest's memory; the image plays with 512.
   int memory_mib = 512;
-  int log_level = 6;    // Of the kernel, on the serial line of a machine without an agent; 7 shows all.
-  bool window = false;  // The screen is shown in a window; otherwise nowhere.
+  // Of the kernel, on the serial line of a machine without an agent; 7 shows all.
+  int log_level = 6;
+  // The screen is shown in a window; otherwise nowhere.
+  bool window = false;
 };
 
 // The kernel's command line, of an image's folder. Errors: those of ReadFile.

@@ -19,8 +19,10 @@ struct ReportedCheck {
 
 // All that a run has found, in the order of its checks.
 struct Report {
-  std::string image;      // Which one.
-  std::string root_hash;  // Of its root; empty where it is not known.
+  // Which one.
+  std::string image;
+  // Of its root; empty where it is not known.
+  std::string root_hash;
   // From power to the first frames of the first box; 0 where none played.
   double boot_s = 0;
   // In the order in which they were run.

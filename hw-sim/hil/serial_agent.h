@@ -50,7 +50,8 @@ class SerialAgentDriver final : public AgentProtocol {
   std::optional<Stream> stream_;
   // What has come and is no whole answer yet.
   std::string waiting_;
-  std::uint32_t asked_ = 0;  // The number of the newest question.
+  // The number of the newest question.
+  std::uint32_t asked_ = 0;
 };
 
 }  // namespace kaori::hil

@@ -17,17 +17,25 @@ enum class DiskBus { kVirtio, kSata, kNvme, kUsb, kSd };
 
 // All that differs between the boxes of two checks. Checks with equal setups share a box that plays.
 struct Setup {
-  bool plugged = true;    // The simulated devices are plugged in before power comes.
-  bool sound = true;      // It has sound cards.
-  bool keyboards = true;  // The profile authorises them.
+  // The simulated devices are plugged in before power comes.
+  bool plugged = true;
+  // It has sound cards.
+  bool sound = true;
+  // The profile authorises them.
+  bool keyboards = true;
   // The in-guest agent and the simulated devices are there. Without it the image runs alone, and the serial
   // line is the log of kernel and systemd, a file that QemuDriver::console reads.
   bool agent = true;
-  bool firmware = false;         // UEFI starts the disk by itself; otherwise QEMU loads the image's kernel.
-  bool watchdog_resets = false;  // The chip set's watchdog resets the machine, as on a PC.
-  bool keeps_disk = false;       // What the machine writes to its disk is kept.
-  bool bench_kernel = false;     // The box's own settings, and simulated hardware besides.
-  bool stock = false;  // A processor with every instruction that QEMU emulates, and 2 GiB of memory.
+  // UEFI starts the disk by itself; otherwise QEMU loads the image's kernel.
+  bool firmware = false;
+  // The chip set's watchdog resets the machine, as on a PC.
+  bool watchdog_resets = false;
+  // What the machine writes to its disk is kept.
+  bool keeps_disk = false;
+  // The box's own settings, and simulated hardware besides.
+  bool bench_kernel = false;
+  // A processor with every instruction that QEMU emulates, and 2 GiB of memory.
+  bool stock = false;
   // The machine's time is that of its instructions, a nanosecond each, whatever else this computer does
   // meanwhile. It has one processor: of two, QEMU lets one run until the next timer of any, and a busy one
   // would leave the other next to nothing.
@@ -35,19 +43,28 @@ struct Setup {
   // Without a card the machine is for those who want its log.
   Graphics graphics = Graphics::kVirtio;
   DiskBus disk_bus = DiskBus::kVirtio;
-  bool other_stick = false;  // A USB stick with nothing on it is plugged in before power comes.
-  bool tells_size = true;    // The screen has an EDID, as good ones have.
+  // A USB stick with nothing on it is plugged in before power comes.
+  bool other_stick = false;
+  // The screen has an EDID, as good ones have.
+  bool tells_size = true;
   int screens =
-      0;  // Outputs whose screens can be plugged in and unplugged; 0: one output, whose screen stays.
-  int width_px = 0;  // Of the screen; 0: as for the other checks.
+      // Outputs whose screens can be plugged in and unplugged; 0: one output, whose screen stays.
+      0;
+  // Of the screen; 0: as for the other checks.
+  int width_px = 0;
   int height_px = 0;
-  std::string image{};      // Another folder with bzImage and cmdline; empty: the bench's.
-  std::string initramfs{};  // Empty: none.
-  std::string disk{};       // Another disk; empty: the image's.
+  // Another folder with bzImage and cmdline; empty: the bench's.
+  std::string image{};
+  // Empty: none.
+  std::string initramfs{};
+  // Another disk; empty: the image's.
+  std::string disk{};
   // What a firmware with Secure Boot keeps, a file that it writes; empty: a firmware without, which keeps nothing.
   std::string variables{};
-  std::string settings{};       // box.toml; empty: as the image has it.
-  std::string last_settings{};  // That which was good before; empty: none.
+  // box.toml; empty: as the image has it.
+  std::string settings{};
+  // That which was good before; empty: none.
+  std::string last_settings{};
   friend bool operator==(const Setup&, const Setup&) = default;
 };
 

@@ -10,8 +10,10 @@ namespace kaori::hil {
 
 // Seconds of this computer's clock from `began` on.
 struct StartTimes {
-  double light_s = 0;  // Until any picture was on the screen.
-  double face_s = 0;   // Until systemd said that the stage has started, which it has with its first frame.
+  // Until any picture was on the screen.
+  double light_s = 0;
+  // Until systemd said that the stage has started, which it has with its first frame.
+  double face_s = 0;
 };
 
 // Whether its screen shows more than a ground and some letters. `shot` as below.

@@ -24,8 +24,10 @@ class XScreen {
  public:
   // How large the machine's screen is, and where files go.
   struct Options {
-    std::string folder;  // For its picture and its log.
-    int width_px = 960;  // Of the machine's own screen.
+    // For its picture and its log.
+    std::string folder;
+    // Of the machine's own screen.
+    int width_px = 960;
     int height_px = 540;
   };
 
@@ -45,7 +47,8 @@ class XScreen {
   // Ends with this object.
   Process program_;
   std::string name_;
-  std::string memory_;  // The file that is its memory: an X window dump.
+  // The file that is its memory: an X window dump.
+  std::string memory_;
   DumpPart window_;
 };
 

@@ -30,7 +30,8 @@ class StageCaller {
   std::string path_;
   const Clock& clock_;
   std::optional<board::Board> board_;
-  std::optional<board::Caller> caller_;  // Of the board above.
+  // Of the board above.
+  std::optional<board::Caller> caller_;
 };
 
 }  // namespace kaori::sim

@@ -49,7 +49,8 @@ class StageMonitor {
   const Clock& clock_;
   // Mapped for reading; none while there is no file.
   std::optional<board::Board> board_;
-  Time look_at_{};  // When the file is looked for again.
+  // When the file is looked for again.
+  Time look_at_{};
 };
 
 }  // namespace kaori::sim

@@ -44,7 +44,8 @@ class Ffmpeg {
   UniqueFd pipe_;
   // What ffmpeg said, in memory: a pipe could fill up and hold it.
   UniqueFd messages_;
-  pid_t process_;  // -1: it has ended.
+  // -1: it has ended.
+  pid_t process_;
 };
 
 }  // namespace kaori::sim

@@ -12,7 +12,8 @@ namespace kaori::sim {
 
 // What a film is to be; sides are even.
 struct FilmOptions {
-  std::string file;  // The ending says the format: .mp4 is H.264.
+  // The ending says the format: .mp4 is H.264.
+  std::string file;
   // Of every picture; even.
   int width_px = 0;
   int height_px = 0;

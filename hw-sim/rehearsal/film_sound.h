@@ -45,7 +45,8 @@ class FilmSound {
   std::ofstream stream_;
   // The time of the film's first frame of sound.
   Time begin_;
-  std::int64_t frames_ = 0;  // Written.
+  // Written.
+  std::int64_t frames_ = 0;
 };
 
 // Joins `pictures`, a film without sound, and the WAV file `sound` into `film`; the pictures are copied as

@@ -13,17 +13,23 @@ namespace kaori::sim {
 
 struct LogPlayOptions {
   std::string log, pack;
-  std::string own;       // The box's folder of expressions; empty: none were made there.
-  std::string at;        // "19:43:10"; empty: from the beginning.
-  double length_s = 0;   // 0: to the end.
-  OutputOptions output;  // Nothing is drawn where neither a film nor pictures are wanted.
+  // The box's folder of expressions; empty: none were made there.
+  std::string own;
+  // "19:43:10"; empty: from the beginning.
+  std::string at;
+  // 0: to the end.
+  double length_s = 0;
+  // Nothing is drawn where neither a film nor pictures are wanted.
+  OutputOptions output;
 };
 
 // How a stretch of a log played.
 struct LogPlayed {
   std::uint64_t frames = 0;
-  std::uint64_t differ = 0;  // Frames that do not show what they showed then.
-  std::string from, until;   // Times of day.
+  // Frames that do not show what they showed then.
+  std::uint64_t differ = 0;
+  // Times of day.
+  std::string from, until;
   std::string first_difference;
 };
 

@@ -16,11 +16,15 @@ namespace kaori::sim {
 
 // What is wanted of the pictures.
 struct OutputOptions {
-  std::string film;      // A file (.mp4); empty: none.
-  std::string pictures;  // A folder for a PNG of each second; empty: none.
+  // A file (.mp4); empty: none.
+  std::string film;
+  // A folder for a PNG of each second; empty: none.
+  std::string pictures;
   Size size;
-  int hz = 30;         // Pictures in a second.
-  std::string folder;  // For passing files; it is there.
+  // Pictures in a second.
+  int hz = 30;
+  // For passing files; it is there.
+  std::string folder;
 };
 
 // A film in the making: its pictures and its sound lie in the folder for passing files until they are
@@ -28,7 +32,8 @@ struct OutputOptions {
 struct FilmInTheMaking {
   std::string file, pictures_file, sound_file;
   Film pictures;
-  std::optional<FilmSound> sound{};  // Since the first picture.
+  // Since the first picture.
+  std::optional<FilmSound> sound{};
 
   // `heard` may be of before the picture: FilmSound leaves out what was heard before the first one.
   Result<void> Add(const Shown& shown, const std::vector<Loudspeaker::Heard>& heard);

@@ -28,16 +28,22 @@ namespace kaori::sim {
 // How the simulated system is set up. Each value is the simulator's own; the
 // programs learn it from the devices.
 struct RehearsalOptions {
-  std::string folder;  // Where the board and the links lie; made if it is not there.
+  // Where the board and the links lie; made if it is not there.
+  std::string folder;
   // Of the screen and of the pictures.
   int width_px = 960;
   int height_px = 540;
-  double hz = 30;                     // Of the screen.
-  double camera_hz = 30;              // Of the lip camera.
-  voice::DelaySetting sound_delay{};  // None: as measured.
-  int camera_width_px = 640;          // Of its pictures; even sides.
+  // Of the screen.
+  double hz = 30;
+  // Of the lip camera.
+  double camera_hz = 30;
+  // None: as measured.
+  voice::DelaySetting sound_delay{};
+  // Of its pictures; even sides.
+  int camera_width_px = 640;
   int camera_height_px = 480;
-  Duration tick = std::chrono::milliseconds(1);  // Reports leave no more often.
+  // Reports leave no more often.
+  Duration tick = std::chrono::milliseconds(1);
 };
 
 // What may end and start again while the others play on.

@@ -18,7 +18,8 @@ struct Piece {
   Box box;
   image::Colour colour{};
   std::string text{};
-  int size_px = 0;  // Of the letters' em square; 0: no text.
+  // Of the letters' em square; 0: no text.
+  int size_px = 0;
   Side side = Side::kLeft;
   friend bool operator==(const Piece&, const Piece&) = default;
 };
@@ -34,8 +35,10 @@ struct Cell {
 // Of one size the cells are always as many, in the same order and at the same places.
 struct Page {
   std::vector<Cell> cells;
-  Box programme;    // Where the face is shown, as on stage.
-  Box lip_picture;  // Where the lip camera's picture is shown.
+  // Where the face is shown, as on stage.
+  Box programme;
+  // Where the lip camera's picture is shown.
+  Box lip_picture;
 };
 
 // The height of a line of text that matters, in pixels: a 36th of the picture's height, less on a narrow one.

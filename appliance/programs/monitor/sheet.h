@@ -54,9 +54,12 @@ class Sheet {
   image::Lettering lettering_;
   image::Picture picture_;
   Page page_;
-  std::vector<std::optional<Cell>> stands_;  // What each cell shows; nothing before it was drawn once.
-  std::size_t next_ = 0;                     // The cell that is looked at first.
-  std::vector<std::size_t> columns_;         // Of Place: where each column comes from; kept for its memory.
+  // What each cell shows; nothing before it was drawn once.
+  std::vector<std::optional<Cell>> stands_;
+  // The cell that is looked at first.
+  std::size_t next_ = 0;
+  // Of Place: where each column comes from; kept for its memory.
+  std::vector<std::size_t> columns_;
 };
 
 }  // namespace kaori::monitor

@@ -24,8 +24,10 @@ struct Moment {
   board::Stamped<board::Voice> voice{};
   board::Stamped<board::StageStatus> stage_status{};
   board::Stamped<board::Lines> lines{};
-  std::vector<status::Line> status{};  // As the status picture says them.
-  std::string time_of_day{};           // Empty: nobody knows it.
+  // As the status picture says them.
+  std::vector<status::Line> status{};
+  // Empty: nobody knows it.
+  std::string time_of_day{};
   Time now{};
 };
 
@@ -43,38 +45,56 @@ struct Tag {
 
 // What is on: a face, an expression, a motion.
 struct Playing {
-  std::string what;   // "face"
-  std::string words;  // "narrator"
+  // "face"
+  std::string what;
+  // "narrator"
+  std::string words;
   image::Colour colour{};
-  float share = 1;  // Of a fade or a motion that runs; 1: it has run.
+  // Of a fade or a motion that runs; 1: it has run.
+  float share = 1;
 };
 
 // A level as a bar; shares are of its way from the lower to the upper end.
 struct Level {
-  std::string name;   // "head yaw"
-  std::string owner;  // "head", a role; empty: nobody has it.
+  // "head yaw"
+  std::string name;
+  // "head", a role; empty: nobody has it.
+  std::string owner;
   image::Colour colour{};
   float share = 0;
   float rest = 0;
 };
 
 struct View {
-  std::string time_of_day;  // "19:43:10"; empty: nobody knows it.
-  std::string act;          // "ACT Two"; "CUE LIST" where it has no acts; empty before the first cue.
-  std::string act_time;     // "1:02:33" since it began; empty: nobody knows.
-  std::vector<Tag> marks;   // Lock, blackout, pause and the like; none where all is usual.
-  Tag go{};                 // What GO does now.
+  // "19:43:10"; empty: nobody knows it.
+  std::string time_of_day;
+  // "ACT Two"; "CUE LIST" where it has no acts; empty before the first cue.
+  std::string act;
+  // "1:02:33" since it began; empty: nobody knows.
+  std::string act_time;
+  // Lock, blackout, pause and the like; none where all is usual.
+  std::vector<Tag> marks;
+  // What GO does now.
+  Tag go{};
   CueWords standby, active;
-  std::string comes;  // What the list does by itself: "3.1 comes in 4.0 s".
+  // What the list does by itself: "3.1 comes in 4.0 s".
+  std::string comes;
   std::vector<Playing> playing;
-  std::vector<Tag> roles;  // With the devices from which they are played.
+  // With the devices from which they are played.
+  std::vector<Tag> roles;
   std::vector<Level> levels;
-  Tag lips{};           // How the camera sees the mouth, in words.
-  float open = 0;       // The mouth as the camera sees it, 0 shut .. 1 open; 0 where it sees none.
-  float voice = 0;      // How loud the voice is, 0 .. 1.
-  bool speaks = false;  // Loud enough for the mouth.
-  Tag fault{};          // What is wrong or missing, in one line.
-  std::string rate;     // "59.9 pictures a second"
+  // How the camera sees the mouth, in words.
+  Tag lips{};
+  // The mouth as the camera sees it, 0 shut .. 1 open; 0 where it sees none.
+  float open = 0;
+  // How loud the voice is, 0 .. 1.
+  float voice = 0;
+  // Loud enough for the mouth.
+  bool speaks = false;
+  // What is wrong or missing, in one line.
+  Tag fault{};
+  // "59.9 pictures a second"
+  std::string rate;
 };
 
 // What a level, its bar and its role's name are drawn in; `role` counts where one has it.

@@ -16,11 +16,15 @@
 namespace kaori::shows {
 
 struct ServicePlaces {
-  std::filesystem::path root_keys;  // Public keys of the house, in the root.
-  std::filesystem::path keys;       // Public keys that were brought to the box.
-  std::filesystem::path report;     // A folder in memory: `lines` for the screen, `chosen` for the stage.
+  // Public keys of the house, in the root.
+  std::filesystem::path root_keys;
+  // Public keys that were brought to the box.
+  std::filesystem::path keys;
+  // A folder in memory: `lines` for the screen, `chosen` for the stage.
+  std::filesystem::path report;
   std::filesystem::path
-      plays{};  // What the stage says of the show that plays: appliance/core/store/play_log.h.
+      // What the stage says of the show that plays: appliance/core/store/play_log.h.
+      plays{};
 };
 
 // Gives the folder in which a stick is mounted; nothing while none is; an error where one is plugged in that
@@ -104,7 +108,8 @@ class InstallService {
   Time look_next_{};
   Menu menu_;
   std::optional<Installation> installation_;
-  std::string name_;  // Of what is being installed.
+  // Of what is being installed.
+  std::string name_;
   bool writes_support_ = false;
   // What was chosen and has not been seen to play yet, and the frames of the board when the stage had begun it.
   std::optional<store::Choice> awaited_;
@@ -116,8 +121,10 @@ class InstallService {
     bool of_stick = false;
   };
   std::optional<Said> said_;
-  std::string shown_;     // The text on the screen.
-  bool is_open_ = false;  // It shows the list.
+  // The text on the screen.
+  std::string shown_;
+  // It shows the list.
+  bool is_open_ = false;
   bool has_looked_ = false;
   std::optional<board::Writer<board::ShowsMenu>> on_board_;
 };

@@ -37,7 +37,8 @@ Message MessageOf(const Error& error);
 struct Progress {
   Message message = Message::kCopying;
   std::string detail{};
-  float done = 0;  // Of the copy, 0..1.
+  // Of the copy, 0..1.
+  float done = 0;
 };
 
 // Judges the copy as a whole, by its path: the verifier, and a rehearsal. It was hashed already. Blocks.
@@ -45,8 +46,10 @@ using Trial = std::function<Result<void>(const std::filesystem::path& pack)>;
 
 // What a new show is chosen beside.
 struct OnBox {
-  std::string plays{};     // The show that plays, where that is not the chosen one: an id or kRootShow.
-  std::uint64_t told = 0;  // The generation of the choice of which the stage was told last.
+  // The show that plays, where that is not the chosen one: an id or kRootShow.
+  std::string plays{};
+  // The generation of the choice of which the stage was told last.
+  std::uint64_t told = 0;
 };
 
 // One thread; the folder and the source must outlive it. Destroyed on the way it leaves nothing behind that
@@ -101,11 +104,14 @@ class Installation {
   std::uint64_t told_;
   show::PackSeal seal_;
   std::string id_;
-  bool is_there_ = false;  // On the box and whole: it is chosen without a copy.
-  bool spoilt_ = false;    // On the box, and found to be no whole show.
+  // On the box and whole: it is chosen without a copy.
+  bool is_there_ = false;
+  // On the box, and found to be no whole show.
+  bool spoilt_ = false;
   std::unique_ptr<Draft> draft_;
   show::Checksummer sum_;
-  std::uint64_t copied_bytes_ = 0;  // Of the content, without the header.
+  // Of the content, without the header.
+  std::uint64_t copied_bytes_ = 0;
 };
 
 // Removes what an installation left that was cut off: a copy that is half done takes the room of a show. What

@@ -19,9 +19,12 @@ namespace kaori::shows {
 struct Choosable {
   enum class Kind : std::uint8_t { kShow, kKey, kBack, kSupport } kind = Kind::kShow;
   Offer offer;
-  std::string remark;     // "48 MB", or a key's fingerprint.
-  show::PublicKey key{};  // Of a key: what is taken is what was shown, whatever the stick says later.
-  std::string id{};       // Of a show that is on the box: as in store::Choice.
+  // "48 MB", or a key's fingerprint.
+  std::string remark;
+  // Of a key: what is taken is what was shown, whatever the stick says later.
+  show::PublicKey key{};
+  // Of a show that is on the box: as in store::Choice.
+  std::string id{};
 };
 
 // Pure but for what it remembers. One thread.

@@ -11,36 +11,62 @@ namespace kaori::shows {
 
 // How an installation ended, or how far it is. Each has a row in the table.
 enum class Message : std::uint8_t {
-  kPlugIn,        // The stick was taken out before anything was taken.
-  kNoShow,        // There is no show on the stick.
-  kShut,          // The list is shut: how it is opened.
-  kChoose,        // Several are there, or one: which one is to be taken?
-  kCopying,       // On the way.
-  kTrying,        // Checked; its scenes are drawn once.
-  kInstalled,     // It is on the box and chosen; the stage has not begun it yet.
-  kPlays,         // The stage plays it.
-  kAlreadyThere,  // It is what is chosen, and whole.
-  kKeyTaken,      // A public key was kept: shows that it signed will play.
-  kWriting,       // The support file is on its way to the stick.
-  kWritten,       // It is there.
-  kNotAShow,      // Another kind of file.
-  kDamaged,       // Its checksum or its signature does not fit.
-  kCutOff,        // Its end is missing.
+  // The stick was taken out before anything was taken.
+  kPlugIn,
+  // There is no show on the stick.
+  kNoShow,
+  // The list is shut: how it is opened.
+  kShut,
+  // Several are there, or one: which one is to be taken?
+  kChoose,
+  // On the way.
+  kCopying,
+  // Checked; its scenes are drawn once.
+  kTrying,
+  // It is on the box and chosen; the stage has not begun it yet.
+  kInstalled,
+  // The stage plays it.
+  kPlays,
+  // It is what is chosen, and whole.
+  kAlreadyThere,
+  // A public key was kept: shows that it signed will play.
+  kKeyTaken,
+  // The support file is on its way to the stick.
+  kWriting,
+  // It is there.
+  kWritten,
+  // Another kind of file.
+  kNotAShow,
+  // Its checksum or its signature does not fit.
+  kDamaged,
+  // Its end is missing.
+  kCutOff,
   kUnsigned,
-  kForeign,  // Signed, by a key that the box does not trust.
-  kNoKeys,   // The box trusts nobody.
+  // Signed, by a key that the box does not trust.
+  kForeign,
+  // The box trusts nobody.
+  kNoKeys,
   kTooLarge,
   kNewerFormat,
   kOlderFormat,
-  kFull,             // The data partition has no room.
-  kPulled,           // The stick was pulled, or cannot be read.
-  kUnreadable,       // A stick of another file system.
-  kDiskFault,        // The box's own disk cannot be written.
-  kUnplayable,       // It is whole and trusted, and does not play.
-  kKeyOff,           // The service key was turned back on the way.
-  kStickFull,        // The stick has no room for the support file.
-  kStickUnwritable,  // It cannot be written, or does not hold what was written.
-  kSupportPulled,    // It was pulled while the support file was written.
+  // The data partition has no room.
+  kFull,
+  // The stick was pulled, or cannot be read.
+  kPulled,
+  // A stick of another file system.
+  kUnreadable,
+  // The box's own disk cannot be written.
+  kDiskFault,
+  // It is whole and trusted, and does not play.
+  kUnplayable,
+  // The service key was turned back on the way.
+  kKeyOff,
+  // The stick has no room for the support file.
+  kStickFull,
+  // It cannot be written, or does not hold what was written.
+  kStickUnwritable,
+  // It was pulled while the support file was written.
+  kSupportPulled,
 };
 inline constexpr std::size_t kMessageCount = 30;
 

@@ -13,8 +13,10 @@ namespace kaori::shows {
 // A list, in the order of its numbers.
 struct Offered {
   std::vector<Choosable> choices;
-  std::size_t of_stick = 0;  // So many of them, the first ones, are shows and keys of the stick.
-  std::size_t left_out = 0;  // So many more lie on it, which have no number.
+  // So many of them, the first ones, are shows and keys of the stick.
+  std::size_t of_stick = 0;
+  // So many more lie on it, which have no number.
+  std::size_t left_out = 0;
 };
 
 // The shows on the box to which one can go back: the one before the chosen one, where it is still there, and

@@ -15,7 +15,8 @@ namespace kaori::shows {
 // A show that can be chosen.
 struct Offer {
   std::filesystem::path file;
-  std::string name;  // As it is shown: the file's name without its end; letters that no screen shows are "?".
+  // As it is shown: the file's name without its end; letters that no screen shows are "?".
+  std::string name;
   std::uint64_t bytes = 0;
   friend bool operator==(const Offer&, const Offer&) = default;
 };

@@ -33,7 +33,8 @@ Result<std::string> ReadJournal(const JournalSource& source, JournalPart part, s
 // Where it looks; what is missing is said to be.
 struct SupportPlaces {
   std::filesystem::path settings = "/var/lib/kaori/settings/box.toml";
-  std::filesystem::path plays = "/run/kaori/plays";  // appliance/core/store/play_log.h
+  // appliance/core/store/play_log.h
+  std::filesystem::path plays = "/run/kaori/plays";
   std::filesystem::path release = "/etc/os-release", machine_id = "/etc/machine-id";
   std::filesystem::path usb = "/sys/bus/usb/devices";
   status::Places status{};

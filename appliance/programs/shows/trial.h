@@ -36,8 +36,10 @@ Result<void> KeepRightsToOurselves();
 // How a trial is run.
 struct TrialTerms {
   Duration longest = kLongestTrial;
-  std::function<bool()> wanted{};   // Asked ten times a second; null: always.
-  std::optional<TrialUser> user{};  // Nobody: as this process.
+  // Asked ten times a second; null: always.
+  std::function<bool()> wanted{};
+  // Nobody: as this process.
+  std::optional<TrialUser> user{};
 };
 
 // Runs `stage` --rehearse `pack` and waits for its end, as long as the terms say; then it is killed. Errors:
