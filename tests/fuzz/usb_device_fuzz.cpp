@@ -12,10 +12,10 @@
 
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
+using FuzzedBytes = std::span<const std::uint8_t>;
 
-Bytes NextBytes(Bytes& from, std::size_t bytes) {
-  const Bytes next = from.first(std::min(bytes, from.size()));
+FuzzedBytes NextFuzzedBytes(FuzzedBytes& from, std::size_t bytes) {
+  const FuzzedBytes next = from.first(std::min(bytes, from.size()));
   from = from.subspan(next.size());
   return next;
 }
@@ -36,12 +36,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                              .takes_output = true},
                             box, cable);
   std::uint8_t lines = 0;
-  for (Bytes left(data, size); !left.empty();) {
-    const std::uint8_t step = NextBytes(left, 1)[0];
+  for (FuzzedBytes left(data, size); !left.empty();) {
+    const std::uint8_t step = NextFuzzedBytes(left, 1)[0];
     if (step % 8 == kReset) device.HandleReset();
     if (step % 8 == kSetup) {
       std::array<std::uint8_t, 8> setup{};
-      std::ranges::copy(NextBytes(left, setup.size()), setup.begin());
+      std::ranges::copy(NextFuzzedBytes(left, setup.size()), setup.begin());
       device.HandleSetup(setup);
       fuzz::Promise(cable.armed_in || cable.armed_out || cable.stalled, "a SETUP has an answer");
     }
@@ -51,9 +51,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     if (step % 8 == kSend && cable.armed_out) {
       cable.armed_out = false;
-      device.HandleControlReceived(NextBytes(left, step / 8 * 3));
+      device.HandleControlReceived(NextFuzzedBytes(left, step / 8 * 3));
     }
-    if (step % 8 == kOutput) device.HandleOutput(NextBytes(left, step / 8));
+    if (step % 8 == kOutput) device.HandleOutput(NextFuzzedBytes(left, step / 8));
     if (step % 8 == kPoll) {
       device.Poll();
       if (step / 8 % 2 == 0) cable.input.reset();

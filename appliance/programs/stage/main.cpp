@@ -205,7 +205,8 @@ struct Beside {
 // monitor meanwhile. Errors: those of the loop.
 kaori::Result<void> PlayOn(kaori::stage::Stage& stage, kaori::board::Board& board, const Beside& beside,
                            kaori::stage::ShowWatch watch, const kaori::Clock& clock, kaori::EventLoop& loop) {
-  auto& [status, monitor] = beside;
+  auto& status = beside.status;
+  auto& monitor = beside.monitor;
   const auto draw_monitor = [&] {
     auto* const screen = stage.screen();
     const bool has = screen != nullptr && !status.on_monitor();
