@@ -21,15 +21,6 @@ std::uint64_t TokenOf(std::uint64_t frame) {
   return std::uint64_t(::getpid()) << 32 | (frame & 0xffffffff);
 }
 
-// The screen with the most pixels: where memory is short, its mode is the one to give up.
-const KmsOutput& Largest(const KmsWall& wall) {
-  const auto area = [](const KmsPanel& panel) {
-    return int{panel.output.chosen.mode.hdisplay} * panel.output.chosen.mode.vdisplay;
-  };
-  return std::ranges::max_element(wall.panels, {}, area)->output;
-}
-
-// Notes that the card refused the output's mode.
 void Refuse(const KmsOutput& output, Time now, KmsPreferences& preferences) {
   preferences.refused.push_back({output.connector, output.chosen.mode});
   preferences.refused_at = now;
@@ -71,8 +62,7 @@ KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsSurface> 
   for (const std::uint32_t connector : card_.Connectors())
     if (IsNew(connector) && card_.ConnectionOf(connector) == Connection::kConnected)
       undriven_.push_back(connector);
-  // AddOutputSettings adds 13.
-  constexpr std::size_t kMostSettings = 13;  // Of one screen.
+  constexpr std::size_t kMostSettings = 13;  // Of one screen, as AddOutputSettings adds them.
   settings_.reserve(panels_.size() * kMostSettings);
   // Where there is no memory for a display beside it, the show goes on without.
   if (wall_.status) status_display_ = KmsSideDisplay::Open(card_, *wall_.status).value_or(nullptr);

@@ -36,6 +36,13 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
   return wall;
 }
 
+const KmsOutput& Largest(const KmsWall& wall) {
+  const auto area = [](const KmsPanel& panel) {
+    return int{panel.output.chosen.mode.hdisplay} * panel.output.chosen.mode.vdisplay;
+  };
+  return std::ranges::max_element(wall.panels, {}, area)->output;
+}
+
 std::string Describe(const KmsWall& wall) {
   std::string text;
   for (const KmsPanel& panel : wall.panels)

@@ -35,4 +35,7 @@ KmsWall Arrange(std::vector<KmsOutput> outputs);
 // Its screens for people, separated by semicolons, the displays beside it last. All count as plugged in.
 std::string Describe(const KmsWall& wall);
 
+// The screen with the most pixels: where memory is short, its mode is the one to give up. `wall` has one.
+const KmsOutput& Largest(const KmsWall& wall);
+
 }  // namespace kaori::scanout

@@ -228,7 +228,7 @@ Result<std::string> BringBoth(Scene& scene) {
 
 // Two starts of one disk, which is a copy and removed in each case. The second start shows what was really
 // kept: memory, in which the stage is told of a choice, is gone with the power.
-Result<void> Stick(Scene& scene) {
+Result<void> BringsAShow(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   if (!std::filesystem::exists(options.sticks + "/evening.stick"))
     return scene.Skip("there are no sticks to plug in; --sticks names their folder");
@@ -271,7 +271,7 @@ std::vector<Check> StickChecks() {
   return {{"stick",
            "A show that a stick brings while the service key is on is played, and a damaged one is refused",
            false,
-           Stick,
+           BringsAShow,
            StickSetup(""),
            {},
            NothingIsReadWithoutTheKey,

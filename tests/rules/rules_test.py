@@ -62,6 +62,7 @@ AGAINST = (
     ("appliance/programs/fdkeeper/a.h", '"drivers/ports/camera.h"', "appliance/programs/fdkeeper/ may include only"),
     ("appliance/programs/surface/a.h", '"appliance/programs/input/input.h"', "appliance/programs/surface/ may include only"),
     ("appliance/programs/editor/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/editor/ may include only"),
+    ("appliance/programs/monitor/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/monitor/ may include only"),
     ("appliance/programs/status/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/status/ may include only"),
     ("appliance/programs/lips/protocol/a.h", '"appliance/programs/lips/lip_reader.h"', "appliance/programs/lips/protocol/ may include only"),
     ("appliance/programs/lips/a.h", '"appliance/programs/input/input.h"', "appliance/programs/lips/ may include only"),

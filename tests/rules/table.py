@@ -99,12 +99,7 @@ FREESTANDING = ("algorithm", "array", "atomic", "bit", "concepts", "cstddef", "c
 
 LINES_WANTED = 300
 # Longer files, each with its reason.
-LONG_FILES = {
-    "appliance/programs/boot/main.cpp": "each step of the start in its order, of which the last ones came with USB disks and a clock that was lost",
-    "appliance/programs/stage/main.cpp": "what a stage is made of, in the order in which it is made",
-    "drivers/scanout/kms_screen.cpp": "one screen of several outputs, whose turns of a picture belong together",
-    "tests/appliance/programs/status_test.cpp": "one sentence for each thing that the status says",
-}
+LONG_FILES = {}
 
 # The test's side of simulated devices, and the wire format, of which the box decodes with its general reader of reports.
 FOR_TESTS_TOO = ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "firmware/wire/")

@@ -166,8 +166,7 @@ struct Prepared {
   Loaded show;
 };
 
-// The show is loaded on another thread beside Mesa, which takes about as long; everything else is this
-// thread's.
+// The show is loaded on another thread beside Mesa, which takes about as long; all else is this thread's.
 kaori::Result<Prepared> Prepare(const Settings& settings, const kaori::stage::ShowPlaces& places) {
   std::optional<kaori::Result<Loaded>> loaded;  // GCC 12 warns where a future carries it.
   auto loading = std::async(std::launch::async, [&] { loaded.emplace(LoadShow(settings, places)); });
@@ -205,17 +204,15 @@ struct Beside {
 // monitor meanwhile. Errors: those of the loop.
 kaori::Result<void> PlayOn(kaori::stage::Stage& stage, kaori::board::Board& board, const Beside& beside,
                            kaori::stage::ShowWatch watch, const kaori::Clock& clock, kaori::EventLoop& loop) {
-  auto& status = beside.status;
-  auto& monitor = beside.monitor;
   const auto draw_monitor = [&] {
     auto* const screen = stage.screen();
-    const bool has = screen != nullptr && !status.on_monitor();
-    monitor.Step(has ? screen->monitor_display() : nullptr, {stage.state(), stage.wakes_at()});
+    const bool has = screen != nullptr && !beside.status.on_monitor();
+    beside.monitor.Step(has ? screen->monitor_display() : nullptr, {stage.state(), stage.wakes_at()});
   };
   if (auto ok = loop.Every(kaori::stage::StageMonitor::kPeriod, draw_monitor); !ok) return ok;
   const auto tell = [&] {
-    status.Step(stage.screen());
-    stage.SetNotice(status.notice());
+    beside.status.Step(stage.screen());
+    stage.SetNotice(beside.status.notice());
     const bool over = watch.IsOver(clock.now());
     if (over) kaori::Log("another show is chosen: the stage ends, to be started with it");
     if (over || stage.taught() != nullptr) loop.Stop();

@@ -254,7 +254,7 @@ TEST_F(StatusSheet, EverySentenceIsShownToItsEnd) {
       "box.toml, line 12: there is no setting status_scren; do you mean status_screen? It is passed over"};
   state.facts.screens = {MadeOutput(ports::ModeOrigin::kSafeGuess, ports::OutputState::kUnplugged)};
   const Time pulled = state.now - 50s;
-  for (auto& stick : state.board.sticks) stick = {{}, pulled, SourceState::kStale};
+  state.board.sticks.fill({{}, pulled, SourceState::kStale});
   state.board.surface.at = state.board.keys.at = state.board.lips.at = state.board.voice.at =
       state.board.lines.at = state.sound.at = pulled;
   state.board.surface.source = state.board.keys.source = state.board.lips.source = state.board.voice.source =
@@ -274,8 +274,7 @@ TEST_F(StatusSheet, EverySentenceIsShownToItsEnd) {
 
 TEST_F(StatusSheet, LinesForWhichThereIsNoRoomAreCounted) {
   lines_.assign(200, {Mark::kGood, "screen", "there"});
-  const auto picture = DrawAll(lines_, 640, 480).value();
-  EXPECT_GT(Count(picture, {0, 480 / 8}, 235, 170, 50), 50) << "the last row says so in amber";
+  EXPECT_GT(Count(DrawAll(lines_, 640, 480).value(), {0, 480 / 8}, 235, 170, 50), 50) << "in amber";
 }
 
 TEST_F(StatusSheet, AnySizeIsDrawn) {
@@ -283,8 +282,7 @@ TEST_F(StatusSheet, AnySizeIsDrawn) {
   for (const auto& [width_px, height_px] :
        {std::pair{16, 16}, {17, 4000}, {4000, 16}, {320, 180}, {3840, 2160}}) {
     const auto picture = DrawAll(lines_, width_px, height_px).value();
-    EXPECT_EQ(picture.width_px, width_px);
-    EXPECT_EQ(picture.height_px, height_px);
+    EXPECT_EQ(std::pair(picture.width_px, picture.height_px), std::pair(width_px, height_px));
   }
 }
 
