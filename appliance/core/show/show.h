@@ -68,7 +68,7 @@ struct Show {
   // between which calls of CallKind::kSheet change.
   std::array<Call, kButtonCount> buttons{}, second_buttons{};
   // Of the left stick, then of the right one; only a box's own roles.toml fills them.
-  std::array<Call, 2 * kStickButtonCount> stick_buttons{};
+  std::array<Call, std::size_t{2} * kStickButtonCount> stick_buttons{};
   // By the indices of the cast; items behind their ends have none of their own.
   std::vector<ItemFade> face_fades, expression_fades;
   // Keys that call what buttons call; motions and scenes have keys of their own.

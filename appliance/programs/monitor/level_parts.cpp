@@ -41,7 +41,7 @@ void AddRoles(const std::vector<Tag>& roles, const Pen& pen, Box& box, std::vect
   Cell cell{CutTop(box, u * 8 / 5), kPanel, {}};
   Box line = cell.box;
   CutLeft(line, u / 2);
-  const auto shown = std::min<std::size_t>(roles.size(), 2 * kRolesInRow);
+  const auto shown = std::min<std::size_t>(roles.size(), std::size_t{2} * kRolesInRow);
   const std::size_t in_row = shown > kRolesInRow ? kRolesInRow : std::max<std::size_t>(shown, 1);
   const int width = line.width / static_cast<int>(in_row);
   for (std::size_t i = 0; i < shown; ++i) {

@@ -185,7 +185,7 @@ Tag FaultOf(const std::vector<status::Line>& lines) {
   for (const auto& [mark, what, words] : lines) {
     if (mark == status::Mark::kMissing && std::ranges::find(missing, what) == missing.end())
       missing.push_back(what);
-    if (mark == status::Mark::kFault && faults++ == 0) first = what + ": " + words;
+    if (mark == status::Mark::kFault && faults++ == 0) first = fmt::format("{}: {}", what, words);
   }
   if (faults > 1) first += fmt::format(" And {} more.", faults - 1);
   if (faults > 0) return {first, kRed};
