@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/kernel_fault.h"
 
 namespace kaori::hil {
 namespace {
@@ -79,11 +80,9 @@ Result<void> Tools(Scene& scene) {
 
 // The first line of a kernel's log that tells of a fault of the kernel itself; empty where there is none.
 std::string KernelFault(const std::string& log) {
-  constexpr std::array kBegins{"BUG:", "WARNING:", "Oops:", "general protection fault", "Kernel panic"};
   std::istringstream lines(log);
   for (std::string line; std::getline(lines, line);)
-    for (const char* begin : kBegins)
-      if (line.starts_with(begin)) return line;
+    if (TellsOfKernelFault(line)) return line;
   return {};
 }
 

@@ -25,10 +25,11 @@ Each figure comes from a test of one of PROGRAMS in BIN, which bounds it too; FI
 """
 
 import json
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import recorded
 
 # Of these each test counts its own.
 COUNTS = ("jumps", "jump_states_differ", "faulty_files", "faulty_files_named")
@@ -46,25 +47,19 @@ PROGRAMS = {"test-performance": "*Jump*:*PanicCalls*:*RandomTakeOvers*:*HandOver
 
 def measured(program, tests):
     """(what the tests of one program recorded, as pairs of a figure and a number; whether all of them passed)."""
-    with tempfile.TemporaryDirectory() as folder:
-        said = Path(folder) / "said.json"
-        done = subprocess.run([program, f"--gtest_filter={tests}", f"--gtest_output=json:{said}"],
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-        if done.returncode != 0:
-            print(done.stdout, file=sys.stderr)
-        cases = [case for suite in json.loads(said.read_text())["testsuites"] for case in suite["testsuite"]]
-    return [(name, float(case[name])) for case in cases for name in FIGURES if name in case], done.returncode == 0
+    cases, passed = recorded.cases(program, tests)
+    return [(name, float(case[name])) for case in cases for name in FIGURES if name in case], passed
 
 
 def main():
     bin_folder, file = (Path(word).resolve() for word in sys.argv[1:3])
-    recorded, passed = {}, True
+    by_name, passed = {}, True
     for program, tests in PROGRAMS.items():
         found, all_passed = measured(bin_folder / program, tests)
         for name, value in found:
-            recorded[name] = value + (recorded.get(name, 0) if name in COUNTS else 0)
+            by_name[name] = value + (by_name.get(name, 0) if name in COUNTS else 0)
         passed = passed and all_passed
-    figures = {name: recorded.get(name) for name in FIGURES}
+    figures = {name: by_name.get(name) for name in FIGURES}
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(figures, indent=2) + "\n")
     print("\n".join(f"{name:24} {value}" for name, value in figures.items()))

@@ -12,10 +12,11 @@ gets one figure for each key of BOUNDS; ends with 1 where one is missing or out 
 
 import json
 import math
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import recorded
 
 # The least and the most of each.
 BOUNDS = {"fat_images": (10_000, math.inf), "fat_images_hung": (0, 0), "usb_liars": (18, math.inf), "usb_liars_let_in": (0, 0),
@@ -26,13 +27,9 @@ CROWD = "*DoNotWaitForAThousandWhoSayNothingOrHalfAWord"
 
 def wait_of_visitor(program):
     """What the test of the desk recorded; None where it did not pass."""
-    with tempfile.TemporaryDirectory() as folder:
-        said = Path(folder) / "said.json"
-        done = subprocess.run([program, f"--gtest_filter={CROWD}", f"--gtest_output=json:{said}"], stdout=subprocess.DEVNULL,
-                              check=False)
-        if done.returncode != 0:
-            return None
-        cases = [case for suite in json.loads(said.read_text())["testsuites"] for case in suite["testsuite"]]
+    cases, passed = recorded.cases(program, CROWD)
+    if not passed:
+        return None
     return next((float(case["silent_clients_wait_ms"]) for case in cases if "silent_clients_wait_ms" in case), None)
 
 
