@@ -17,7 +17,8 @@ show() {
     key) make_key "$@" ;;
     sign) sign_show "$@" ;;
     push) push_show "$@" ;;
-    '') fail "show wants new, play, take, key, pack, sign or push; see ./box help" ;;
+    backup | diff | restore) copy_of_box "$verb" "$@" ;;
+    '') fail "show wants new, play, take, key, pack, sign, push, backup, diff or restore; see ./box help" ;;
     *) fail "show knows no $verb; see ./box help" ;;
   esac
 }
@@ -136,6 +137,18 @@ push_show() {
     fail "${words[1]} does not hold what was written; take another stick"
   rm "$copy"
   say "$name is on the stick. At the box: key on, stick in, and GO takes it."
+}
+
+# Of a box whose disk is in this computer: copy_of_box backup DATA FOLDER, or diff and restore FILE DATA.
+copy_of_box() {
+  local verb=$1 words=("${@:2}") data other
+  [[ ${#words[@]} = 2 && ${words[0]} != -* && ${words[1]} != -* ]] ||
+    fail "show backup takes the data partition's folder and a FOLDER, diff and restore a FILE and that folder; see ./box help"
+  if [ "$verb" = backup ]; then data=${words[0]} other=${words[1]}; else data=${words[1]} other=${words[0]}; fi
+  data=$(from_caller "$data") other=$(from_caller "$other")
+  [ -d "$data/shows" ] || fail "$data is no data partition of a box: it has no folder shows"
+  build release kaori-shows kaori-stage
+  $BIN/kaori-shows "--$verb" "$other" --shows "$data/shows" --keys "$data/settings/keys" --board "$data/none" --stage $BIN/kaori-stage
 }
 
 # Whether a file of a stick is what was written: is_written FILE COPY. Not what the kernel remembers of it: what is on the stick.

@@ -9,6 +9,7 @@
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/process.h"
+#include "hw-sim/hil/stick_scene.h"
 #include "hw-sim/hil/strategy.h"
 
 namespace kaori::hil {
@@ -17,62 +18,10 @@ namespace {
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-constexpr Duration kStickAnswer = seconds(60);
-constexpr Duration kLongestReading = seconds(240);  // The kernel waits before it asks a stick; so does udev.
 constexpr Duration kLongestInstalling = minutes(20);  // At the lowest priority, beside a face that wants all.
-constexpr Duration kLongestChange = minutes(5);       // Until the stage draws with another show.
 constexpr std::size_t kLargestSupport_bytes = std::size_t{8} << 20U;  // More than the box writes.
 constexpr Duration kRateSpan = seconds(20);
-constexpr int kStickKey = 2;                      // A line of the bridge, as docs/image.md wires it.
-constexpr std::uint8_t kOne = 0x1E, kTwo = 0x1F;  // Keys, HID page 7.
-constexpr const char* kSaid = "read /run/kaori-shows/lines";
-constexpr const char* kStickNumber =
-    "46f4:0001 ";  // QEMU's vendor and product; behind it whether it is authorised.
 constexpr std::string_view kIsOn = "it is on the box and plays now";
-
-// A small screen, so that the face leaves the trial something of the processors. With a disk of its own what
-// is installed is kept over a start; without one the image's is used, and stays as it ships.
-Setup StickSetup(const std::string& disk) {
-  return {.sound = false, .keeps_disk = !disk.empty(), .width_px = 480, .height_px = 270, .disk = disk};
-}
-
-// What the agent answers; empty where there is no such file, or no answer in time: whoever asks again sees
-// the next one.
-std::string TextInBox(Scene& scene, const std::string& question) {
-  return scene.target.agent().Ask(question, kStickAnswer).value_or("");
-}
-
-// Errors: invalid_argument, the box says something else; with what it says.
-Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest) {
-  std::string said;
-  const auto says = [&] {
-    said = TextInBox(scene, kSaid);
-    return said.find(words) != std::string::npos;
-  };
-  if (scene.target.Until(says, longest)) return {};
-  return FailInput(fmt::format("the box does not say \"{}\" of the stick, but \"{}\"", words, said));
-}
-
-// Where the rig leaves a port free, as for unauthorised devices: one at a time.
-Result<void> Plug(Scene& scene, const char* stick) {
-  return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick, false);
-}
-
-// Presses a key until the box says what it should of it: it may have looked at the keys for the last time
-// just before.
-Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
-  constexpr int kMostPresses = 3;
-  Result<void> said;
-  for (int n = 0; n < kMostPresses; ++n) {
-    scene.target.For(seconds(3));
-    scene.target.rig().devices().keyboard.Press(key);
-    scene.target.For(std::chrono::milliseconds(300));
-    scene.target.rig().devices().keyboard.Release(key);
-    said = WantStickSaid(scene, words, seconds(60));
-    if (said) break;
-  }
-  return said;
-}
 
 // How many frames a second the stage presents, between two looks at the board; 0 where they do not tell.
 double Rate(const Result<BoardView>& from, const Result<BoardView>& to) {
@@ -105,39 +54,9 @@ Result<void> InstallUnderPlay(Scene& scene) {
   return {};
 }
 
-// The id of the chosen show. Errors: invalid_argument, none is chosen.
-Result<std::string> ChosenId(Scene& scene) {
-  const std::string choice = TextInBox(scene, "read /var/lib/kaori/shows/choice.1");
-  constexpr std::string_view kWord = "\ncurrent ";
-  const std::size_t at = choice.find(kWord);
-  if (at == std::string::npos) return FailInput("no show is chosen on the box");
-  const std::size_t begin = at + kWord.size();
-  return choice.substr(begin, choice.find('\n', begin) - begin);
-}
-
-// The stage has begun to play it, and draws.
-Result<void> WantPlayed(Scene& scene, const std::string& id) {
-  const auto noted = [&] {
-    return TextInBox(scene, "read /run/kaori/plays").find("playing " + id) != std::string::npos;
-  };
-  if (!scene.target.Until(noted, kLongestChange)) return FailInput("the stage does not play the chosen show");
-  const auto now = scene.target.Board();
-  const auto draws = [&](const BoardView& board) {
-    return board.stage.live && board.stage.frames > 1 && (!now || board.stage.read_ns > now->now_ns);
-  };
-  if (auto seen = scene.target.UntilBoard(draws, kLongestChange, "see the chosen show drawn"); !seen)
-    return tl::unexpected(seen.error());
-  return {};
-}
-
-// The image knows no key, so that the way of a guest is tried, which has all the steps of the others and one
-// more. A show of nobody whom the box knows, then the key of whoever signed it, then the show.
+// The key of whoever signed it, then the show.
 Result<void> BringShow(Scene& scene) {
-  if (auto ok = Plug(scene, "evening.stick"); !ok) return ok;
-  if (auto ok = WantStickSaid(scene, "> 1  evening  ", kLongestReading); !ok) return ok;
-  if (auto ok = WantStickSaid(scene, "  2  key theatre  ", seconds(5)); !ok) return ok;
-  if (auto ok = PressFor(scene, kOne, "evening: this box "); !ok) return ok;
-  if (auto ok = PressFor(scene, kTwo, "theatre: this key is on the box now"); !ok) return ok;
+  if (auto ok = BringKey(scene); !ok) return ok;
   return InstallUnderPlay(scene);
 }
 
@@ -154,27 +73,14 @@ Result<void> WantDamagedRefused(Scene& scene, const std::string& id) {
   return WantPlayed(scene, id);
 }
 
-// The key of the list's line with these words: its number, 1 to 9. Errors: invalid_argument, there is none.
-Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words) {
-  const std::string said = TextInBox(scene, kSaid);
-  const std::size_t at = said.find(words);
-  const std::size_t number =
-      at == std::string::npos ? at : said.find_first_of("123456789", said.rfind('\n', at) + 1);
-  if (number >= at) return FailInput(fmt::format("the list has no \"{}\", but says \"{}\"", words, said));
-  return static_cast<std::uint8_t>(kOne + (said[number] - '1'));
-}
-
 // The support file, onto a stick that holds nothing; the copy of the stick is what this computer then reads, as a
 // technician does.
 Result<void> WantSupportFile(Scene& scene) {
   constexpr std::string_view kLine = "support file for a technician";
-  const std::string stick = scene.folder + "/support.stick", read = scene.folder + "/support";
-  std::error_code failed;
-  std::filesystem::copy_file(scene.target.machine().options().sticks + "/empty.stick", stick,
-                             std::filesystem::copy_options::overwrite_existing, failed);
-  if (failed) return Fail(static_cast<std::errc>(failed.value()), "copy the empty stick");
-  if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
-  if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return ok;
+  const std::string read = scene.folder + "/support";
+  const auto plugged = PlugEmptyStick(scene, "support");
+  if (!plugged) return tl::unexpected(plugged.error());
+  const std::string& stick = *plugged;
   if (auto ok = WantStickSaid(scene, kLine, kLongestReading); !ok) return ok;
   const auto key = KeyOfLine(scene, kLine);
   if (!key) return tl::unexpected(key.error());
@@ -194,18 +100,6 @@ Result<void> WantSupportFile(Scene& scene) {
     return {};
   }
   return FailInput("there is no support file on the stick");
-}
-
-// The lines go with kaori-shows; the kernel is told by udev once that has ended.
-// Nothing is said of it any more, and the kernel has let it go.
-Result<void> WantDead(Scene& scene) {
-  const auto dead = [&] {
-    return TextInBox(scene, kSaid).empty() &&
-           TextInBox(scene, "usb").find(std::string(kStickNumber) + "0") != std::string::npos;
-  };
-  return scene.target.Until(dead, kLongestReading)
-             ? Result<void>{}
-             : FailInput("the stick is alive after the key was turned back");
 }
 
 // The key is turned off in each case, since the next check finds the bridge as it was left.

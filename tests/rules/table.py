@@ -7,7 +7,7 @@ _BASE = ("firmware/wire/", "drivers/base/")
 _PORTS = _BASE + ("drivers/ports/",)
 _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog"))
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog", "backup", "restore"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
@@ -34,11 +34,13 @@ MAY_INCLUDE = (
     ("appliance/core/toml/", ("drivers/base/",)),
     ("appliance/core/show/", _DRAWING),
     ("appliance/core/store/", ("drivers/base/",)),
+    ("appliance/core/restore/", ("drivers/base/", "appliance/core/store/")),
+    ("appliance/core/backup/", ("drivers/base/", "appliance/core/restore/", "appliance/core/show/", "appliance/core/store/")),
     ("appliance/core/roles/", ("drivers/base/", "appliance/core/toml/", "appliance/core/show/", "render/face/", "render/scene/")),
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
     ("appliance/core/linecheck/", _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
     ("appliance/core/showlog/", _BASE + _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
-    ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/", "appliance/core/store/")),
+    ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/", "appliance/core/restore/", "appliance/core/store/")),
     ("appliance/programs/data/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
     ("appliance/programs/power/", _BASE + ("appliance/core/board/",)),
@@ -46,12 +48,11 @@ MAY_INCLUDE = (
     ("appliance/programs/surface/", _DECODE + ("appliance/core/board/",)),
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
-    ("appliance/programs/monitor/", _PROGRAM + ("appliance/programs/status/",)),
-    ("appliance/programs/shows/", _BASE + ("appliance/core/board/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
+    ("appliance/programs/shows/", _BASE + ("appliance/core/backup/", "appliance/core/board/", "appliance/core/restore/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
                                            "appliance/programs/status/")),
     ("appliance/programs/lips/protocol/", _BASE),
     ("appliance/programs/lips/", _PROGRAM),
-    ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/monitor/", "appliance/programs/status/")),
+    ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/status/")),
     ("appliance/programs/desk/", _BASE + ("render/image/", "appliance/core/board/", "appliance/programs/lips/protocol/",
                                           "appliance/programs/status/", "drivers/web/")),
     ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "appliance/core/last_face/last_face.h"
+#include "appliance/core/restore/apply.h"
 #include "appliance/core/store/choice.h"
 #include "appliance/programs/boot/ahead.h"
 #include "appliance/programs/boot/card.h"
@@ -181,6 +182,13 @@ bool MountData() {
   return false;
 }
 
+// Before anybody reads what it changes. One that cannot be finished is tried again at each start.
+void Restore() {
+  const auto restored = kaori::restore::FinishRestore(kData);
+  if (!restored) Report("the restore is not done: " + restored.error().message());
+  if (restored.value_or(false)) Report("the backup is restored; what was there before is kept");
+}
+
 // Reads ahead in a process of its own, while a processor has nothing else to do; at most half of the free
 // memory.
 void StartReadingAhead() {
@@ -265,6 +273,7 @@ void Boot() {
   mounted->read_end.reset();
   done->write_end.reset();
   const bool keeps = MountData();
+  if (keeps) Restore();
   mounted->write_end.reset();
   GiveCards();
   for (const std::string& fault : kaori::boot::PcFaults(kStill, kData)) Report(fault);

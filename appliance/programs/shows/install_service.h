@@ -9,11 +9,15 @@
 #include <string>
 
 #include "appliance/core/board/board.h"
+#include "appliance/programs/shows/box_copies.h"
 #include "appliance/programs/shows/installation.h"
 #include "appliance/programs/shows/menu.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::shows {
+
+// A report that cannot be written costs the lines on the screen, and not the installation.
+void WriteSaid(const std::filesystem::path& file, const std::string& text);
 
 struct ServicePlaces {
   // Public keys of the house, in the root.
@@ -39,9 +43,9 @@ using MakeSupportFile = std::function<Result<std::string>(const std::filesystem:
 // the show hears what is pressed in the list.
 class InstallService {
  public:
-  // Without `support` no such file is offered.
+  // Without `support` no such file is offered, without `copies`, which must outlive it, no backup.
   InstallService(ServicePlaces places, Folder& folder, const board::Board& board, LookForStick look,
-                 Trial trial, MakeSupportFile support = {});
+                 Trial trial, MakeSupportFile support = {}, BoxCopies* copies = nullptr);
   ~InstallService();
   InstallService(const InstallService&) = delete;
   InstallService& operator=(const InstallService&) = delete;
@@ -80,6 +84,12 @@ class InstallService {
   // Chooses a show that is on the box; the stage is told.
   void GoBack(const Choosable& taken);
   void Install(const Choosable& taken);
+  // The ways back to shows, and what backups and restores offer.
+  std::vector<Choosable> WaysBackOnBox(bool has_stick) const;
+  // Something of BoxCopies was taken, or what it asks is answered.
+  void AcceptCopy(const Choosable& taken);
+  void StepCopies(Time now);
+  void DropQuestion();
   // At the step after the one that said that it begins.
   void WriteSupport();
   // The next piece; tells what has changed, and the stage where the show is on the box.
@@ -104,6 +114,7 @@ class InstallService {
   LookForStick look_;
   Trial trial_;
   MakeSupportFile support_;
+  BoxCopies* copies_;
   std::optional<std::filesystem::path> stick_;
   Time look_next_{};
   Menu menu_;

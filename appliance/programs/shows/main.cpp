@@ -17,9 +17,9 @@
 
 #include "appliance/core/board/watch.h"
 #include "appliance/core/store/play_log.h"
+#include "appliance/programs/shows/backup_commands.h"
 #include "appliance/programs/shows/install_service.h"
-#include "appliance/programs/shows/stick.h"
-#include "appliance/programs/shows/stick_mount.h"
+#include "appliance/programs/shows/sticks.h"
 #include "appliance/programs/shows/support_file.h"
 #include "appliance/programs/shows/support_report.h"
 #include "appliance/programs/shows/trial.h"
@@ -27,6 +27,7 @@
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
+#include "drivers/base/read_file.h"
 
 namespace {
 
@@ -48,6 +49,10 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --journal FOLDER   where the journal lies (that of this system)
   --install FILE     instead: installs this pack, says how it went, and ends
   --support FOLDER   instead: writes a support file into this folder, says its name, and ends
+  --backup FOLDER    instead: writes a backup of the box into this folder, says its name, and ends
+  --diff FILE        instead: says what a restore of this backup would change, and ends
+  --restore FILE     instead: says that, and leaves the restore to the box's next start
+  --with-name        the box takes the backup's name, too, where it would keep its own
 )";
 
 struct Settings {
@@ -55,75 +60,8 @@ struct Settings {
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
               trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
               report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
-              journal, install, support;
-  bool plugged = false;
-};
-
-// Mounts the first that holds shows or keys of all partitions of all sticks, else any that can be mounted:
-// computers put a small partition of their own in front of the one that people see. What cannot be mounted is
-// tried again when it was out.
-class Sticks {
- public:
-  explicit Sticks(fs::path at) : at_(std::move(at)) {}
-
-  // A stick in place of another is nothing for one look, so that the list of the first one is forgotten.
-  kaori::Result<std::optional<fs::path>> Look() {
-    const auto there = kaori::shows::FindSticks("/sys/class/block");
-    const auto is_out = [&](const std::string& device) {
-      return std::ranges::find(there, device) == there.end();
-    };
-    const std::string before = device_;
-    if (is_out(device_)) Leave();
-    std::erase_if(refused_, is_out);
-    for (const std::string& device : there) {
-      if (holds_something_) break;
-      if (device != device_ && std::ranges::find(refused_, device) == refused_.end()) Try(device);
-    }
-    if (!before.empty() && device_ != before)
-      return std::optional<fs::path>();  // Another: nothing, for one look.
-    if (mount_) return std::optional(at_);
-    if (there.empty()) return std::optional<fs::path>();
-    return tl::unexpected(fault_);
-  }
-
-  // Where nothing is mounted, a folder stands for the stick.
-  kaori::Result<void> SetWritable(bool writable) {
-    return mount_ ? mount_->SetWritable(writable) : kaori::Result<void>{};
-  }
-
- private:
-  void Leave() {
-    mount_.reset();
-    device_.clear();
-    holds_something_ = false;
-  }
-
-  bool HoldsSomething() const {
-    const auto shows = kaori::shows::ListShows(at_), keys = kaori::shows::ListKeys(at_);
-    return (shows && !shows->empty()) || (keys && !keys->empty());
-  }
-
-  // An empty one gives way to the next, and is not tried again either.
-  void Try(const std::string& device) {
-    if (mount_) refused_.push_back(device_);
-    Leave();
-    auto mount = kaori::shows::StickMount::Make("/dev/" + device, at_);
-    if (!mount) {
-      fault_ = mount.error();
-      refused_.push_back(device);
-      return;
-    }
-    mount_.emplace(std::move(*mount));
-    device_ = device;
-    holds_something_ = HoldsSomething();
-  }
-
-  fs::path at_;
-  std::string device_;
-  bool holds_something_ = false;
-  std::vector<std::string> refused_;
-  kaori::Error fault_{};
-  std::optional<kaori::shows::StickMount> mount_;
+              journal, install, support, backup, diff, restore;
+  bool plugged = false, with_name = false;
 };
 
 kaori::shows::Trial TrialBy(const Settings& settings, const kaori::shows::TrialTerms& terms = {}) {
@@ -157,7 +95,7 @@ kaori::shows::SupportPlaces SupportPlacesOf(const Settings& settings) {
 
 // Made before the stick can be written, so that this is so for the shortest time.
 kaori::Result<std::string> WriteSupport(const Settings& settings, const kaori::shows::Folder& shows,
-                                        const kaori::board::Board* board, Sticks& sticks,
+                                        const kaori::board::Board* board, kaori::shows::Sticks& sticks,
                                         const fs::path& stick) {
   const auto places = SupportPlacesOf(settings);
   const std::time_t wall = std::time(nullptr);
@@ -174,11 +112,19 @@ kaori::Result<std::string> WriteSupport(const Settings& settings, const kaori::s
   return name;
 }
 
+// The folder of shows lies in the data partition.
+kaori::shows::CopyPlaces CopyPlacesOf(const Settings& settings, kaori::shows::Sticks& sticks) {
+  return {.data = fs::path(settings.shows).parent_path(),
+          .name = [&settings] { return kaori::shows::BoxName(SupportPlacesOf(settings)); },
+          .wall = [] { return std::time(nullptr); },
+          .set_writable = [&sticks](bool writable) { return sticks.SetWritable(writable); }};
+}
+
 // For whoever has the disk in another computer, where no program of the box runs.
 int Support(const Settings& settings) {
   const auto board = kaori::board::Board::Open(settings.board);
   const auto shows = kaori::shows::OpenFolder(settings.shows);
-  Sticks none{fs::path()};
+  kaori::shows::Sticks none{fs::path()};
   const auto name = WriteSupport(settings, *shows, board ? &*board : nullptr, none, settings.support);
   if (!name) return kaori::ExitWithError(name.error());
   std::printf("%s\n", name->c_str());
@@ -205,6 +151,28 @@ int Install(const Settings& settings) {
   return well ? 0 : 1;
 }
 
+// The name of this computer is not that of the box: it is called by its own number.
+int Backup(const Settings& settings) {
+  constexpr std::size_t kDigits = 8;
+  kaori::shows::Sticks none{fs::path()};
+  auto places = CopyPlacesOf(settings, none);
+  const std::string number = kaori::ReadBeginning(places.data / "machine-id", kDigits).value_or("");
+  if (!number.empty()) places.name = [&] { return kaori::shows::NameForFiles("kaori-" + number, number); };
+  return kaori::shows::WriteBackup(places, settings.backup);
+}
+
+int Restore(const Settings& settings) {
+  const std::vector<fs::path> places{settings.root_keys, settings.keys};
+  auto keys = kaori::show::ReadPublicKeys(places);
+  if (!keys) return kaori::ExitWithError(keys.error());
+  const bool only_says = settings.restore.empty();
+  return kaori::shows::RestoreBackup({.data = fs::path(settings.shows).parent_path(),
+                                      .keys = std::move(*keys),
+                                      .trial = TrialBy(settings),
+                                      .with_name = settings.with_name},
+                                     only_says ? settings.diff : settings.restore, only_says);
+}
+
 // Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for
 // the screen go with it; `chosen` stays, since the stage compares it with what it plays.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
@@ -218,7 +186,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
     fs::create_directories(folder, none);
   MakeTrialFolder(settings.report);
   const auto folder = kaori::shows::OpenFolder(settings.shows);
-  Sticks sticks(settings.stick);
+  kaori::shows::Sticks sticks(settings.stick);
   const auto look = [&]() -> kaori::Result<std::optional<fs::path>> {
     if (settings.plugged) return std::optional<fs::path>(settings.stick);
     return sticks.Look();
@@ -237,9 +205,10 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   const auto support = [&](const fs::path& stick) {
     return WriteSupport(settings, *folder, &*board, sticks, stick);
   };
+  const auto trial = TrialBy(settings, {.wanted = wanted, .user = *user});
+  kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), trial);
   kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
-                                       *board, look, TrialBy(settings, {.wanted = wanted, .user = *user}),
-                                       support);
+                                       *board, look, trial, support, &copies);
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();
@@ -274,9 +243,15 @@ int main(int argc, char** argv) {
       .Text("--journal", settings.journal)
       .Text("--install", settings.install)
       .Text("--support", settings.support);
+  options.Text("--backup", settings.backup)
+      .Text("--diff", settings.diff)
+      .Text("--restore", settings.restore)
+      .Switch("--with-name", settings.with_name);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (!settings.install.empty()) return Install(settings);
   if (!settings.support.empty()) return Support(settings);
+  if (!settings.backup.empty()) return Backup(settings);
+  if (!settings.diff.empty() || !settings.restore.empty()) return Restore(settings);
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
   return Serve(settings, *loop);

@@ -21,9 +21,10 @@ std::vector<std::uint32_t> Since(std::optional<std::uint32_t>& seen, const board
 
 }  // namespace
 
-void Menu::Offer(std::vector<Choosable> choices, std::size_t left_out) {
+void Menu::Offer(std::vector<Choosable> choices, std::size_t left_out, std::vector<std::string> notes) {
   choices_ = std::move(choices);
   left_out_ = left_out;
+  notes_ = std::move(notes);
   marked_ = 0;
   if (choices_.empty()) Shut();
   ForgetPresses();
@@ -90,13 +91,15 @@ std::vector<std::string> Menu::Lines(Message message, Language language, const s
   }
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const Choosable& choice = choices_[i];
-    const char* kind = choice.kind == Choosable::Kind::kKey ? "key " : "";
+    const bool is_key = choice.kind == Choosable::Kind::kKey, is_backup = choice.kind == Choosable::Kind::kRestore;
+    const char* kind = is_key ? "key " : is_backup ? "restore " : "";
     lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + kind + choice.offer.name +
                     (choice.remark.empty() ? "" : "  " + choice.remark));
   }
   if (left_out_ > 0)
     lines.push_back("  and " + std::to_string(left_out_) +
                     " more on the stick; take some off it to see them");
+  for (const std::string& note : notes_) lines.push_back("     " + note);
   return lines;
 }
 

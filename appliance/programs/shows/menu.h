@@ -15,9 +15,20 @@
 namespace kaori::shows {
 
 // One thing that can be taken: a show, a key of somebody's whose shows the box shall play, a show that is on
-// the box already, or a support file, which goes the other way.
+// the box already, a support file or a backup, which go the other way, a backup that is brought, what a restore
+// took away, and the two answers to what a restore asks.
 struct Choosable {
-  enum class Kind : std::uint8_t { kShow, kKey, kBack, kSupport } kind = Kind::kShow;
+  enum class Kind : std::uint8_t {
+    kShow,
+    kKey,
+    kBack,
+    kSupport,
+    kBackup,
+    kRestore,
+    kPutBack,
+    kYes,
+    kNo
+  } kind = Kind::kShow;
   Offer offer;
   // "48 MB", or a key's fingerprint.
   std::string remark;
@@ -38,8 +49,8 @@ class Menu {
   static constexpr Duration kNobodyChooses = std::chrono::minutes(2);
 
   // What can be taken from now on; the first is marked. Presses from before count no more. `left_out` more lie
-  // on the stick, which have no number.
-  void Offer(std::vector<Choosable> choices, std::size_t left_out = 0);
+  // on the stick, which have no number. `notes` stand below, and cannot be taken.
+  void Offer(std::vector<Choosable> choices, std::size_t left_out = 0, std::vector<std::string> notes = {});
 
   // A list without anything in it stays shut.
   void Open(Time now);
@@ -69,6 +80,7 @@ class Menu {
 
   std::vector<Choosable> choices_;
   std::size_t left_out_ = 0;
+  std::vector<std::string> notes_;
   std::size_t marked_ = 0;
   std::optional<Time> open_until_;
   // Counters as they stood at the last look; nothing before the first.

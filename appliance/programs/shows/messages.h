@@ -35,6 +35,21 @@ enum class Message : std::uint8_t {
   kWriting,
   // It is there.
   kWritten,
+  // A backup is on its way to the stick.
+  kBackingUp,
+  // It is there.
+  kBackedUp,
+  // A backup is being copied from the stick and checked.
+  kReadingBackup,
+  // What it would change is listed: is that wanted?
+  kAskRestore,
+  kNothingDiffers,
+  // It is done at the next start.
+  kRestoreWaits,
+  // What the last restore took away comes back at the next start.
+  kUndoWaits,
+  // Somebody did not want it.
+  kLeft,
   // Another kind of file.
   kNotAShow,
   // Its checksum or its signature does not fit.
@@ -61,14 +76,21 @@ enum class Message : std::uint8_t {
   kUnplayable,
   // The service key was turned back on the way.
   kKeyOff,
-  // The stick has no room for the support file.
+  // The stick has no room for what is written onto it.
   kStickFull,
   // It cannot be written, or does not hold what was written.
   kStickUnwritable,
-  // It was pulled while the support file was written.
+  // It was pulled while a file was written onto it.
   kSupportPulled,
+  // Another kind of file.
+  kNotABackup,
+  kNewerBackup,
+  // A name of it leads out of the folders of a box.
+  kOutside,
+  // The box's files changed while they were copied.
+  kChanged,
 };
-inline constexpr std::size_t kMessageCount = 30;
+inline constexpr std::size_t kMessageCount = 42;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

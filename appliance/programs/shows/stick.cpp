@@ -60,4 +60,8 @@ Result<std::vector<Offer>> ListKeys(const fs::path& stick) {
   return List(stick, ".pub");
 }
 
+Result<std::vector<Offer>> ListBackups(const fs::path& stick) {
+  return List(stick, ".kaorishow");
+}
+
 }  // namespace kaori::shows

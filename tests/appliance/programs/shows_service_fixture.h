@@ -20,7 +20,8 @@ namespace kaori::shows {
 
 class ServiceTest : public tests::PackTest {
  protected:
-  ServiceTest() {
+  // Backups are offered, or not: the tests of all else speak of a list without them.
+  explicit ServiceTest(bool with_copies = false) : with_copies_(with_copies) {
     for (const char* each : {"stick", "shows", "report", "root-keys"})
       std::filesystem::create_directories(folder_ / each);
     EXPECT_TRUE(SaveKey(company_, folder_ / "root-keys" / "company"));
@@ -53,7 +54,10 @@ class ServiceTest : public tests::PackTest {
   }
 
   const show::SecretKey company_ = show::MakeKey().value(), theatre_ = show::MakeKey().value();
-  bool plugged_ = false, unreadable_ = false;
+  const bool with_copies_;
+  bool plugged_ = false, unreadable_ = false, writable_ = false;
+  int opened_ = 0;
+  Result<void> closed_{};  // Of a stick that is to be written.
   Result<void> trial_{};
   Result<std::string> support_ = std::string("kaori-1a2b3c4d-20261123-221005.txt");
   board::Board board_ = board::Board::Create((folder_ / "board").string()).value();
@@ -62,6 +66,16 @@ class ServiceTest : public tests::PackTest {
   board::Keys pressed_;
   Time now_ = Time{} + std::chrono::seconds(1000);
   std::unique_ptr<Folder> shows_ = OpenFolder(folder_ / "shows");
+  BoxCopies copies_{{.data = folder_,
+                     .name = [] { return std::string("left-1a2b3c4d"); },
+                     .wall = [] { return std::time_t{1'795'072'000}; },
+                     .set_writable =
+                         [this](bool writable) {
+                           writable_ = writable;
+                           opened_ += writable ? 1 : 0;
+                           return writable ? closed_ : Result<void>{};
+                         }},
+                    [this](const std::filesystem::path&) { return trial_; }};
   InstallService service_{
       {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays"},
       *shows_,
@@ -72,7 +86,8 @@ class ServiceTest : public tests::PackTest {
         return std::optional(folder_ / "stick");
       },
       [this](const std::filesystem::path&) { return trial_; },
-      [this](const std::filesystem::path&) { return support_; }};
+      [this](const std::filesystem::path&) { return support_; },
+      with_copies_ ? &copies_ : nullptr};
 };
 
 }  // namespace kaori::shows

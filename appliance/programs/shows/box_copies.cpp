@@ -1,0 +1,114 @@
+#include "appliance/programs/shows/box_copies.h"
+
+#include <array>
+#include <utility>
+
+#include "appliance/programs/shows/restore_disk.h"
+#include "appliance/programs/shows/support_file.h"
+#include "drivers/base/log.h"
+
+namespace kaori::shows {
+namespace {
+
+constexpr std::size_t kMostDifferences = 8;  // Lines that a small screen has beside the list.
+
+std::string TimeText(std::time_t wall, const char* form) {
+  std::tm local{};
+  ::localtime_r(&wall, &local);
+  std::array<char, 64> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), form, &local)};
+}
+
+// The disk's and the stick's errors mean the same to the person: what is written is a stick.
+Message MessageOfBackup(const Error& error) {
+  return error.cause == std::errc::text_file_busy ? Message::kChanged : SupportMessageOf(error);
+}
+
+}  // namespace
+
+std::string BackupFileName(const std::string& box, std::time_t wall) {
+  return box + "-" + TimeText(wall, "%Y%m%d-%H%M%S") + ".kaorishow";
+}
+
+BoxCopies::BoxCopies(CopyPlaces places, Trial trial) : places_(std::move(places)), trial_(std::move(trial)) {}
+
+BoxCopies::~BoxCopies() {
+  if (writer_) static_cast<void>(EndBackup(Fail(std::errc::operation_canceled, "write the backup")));
+}
+
+std::vector<Choosable> BoxCopies::Offers(bool has_stick) const {
+  std::vector<Choosable> offers;
+  const auto offer = [&](Choosable::Kind kind, const char* name) {
+    offers.push_back({.kind = kind, .offer = {.file = {}, .name = name}, .remark = {}});
+  };
+  if (HasKept(places_.data)) offer(Choosable::Kind::kPutBack, "back to what was here before the restore");
+  if (has_stick) offer(Choosable::Kind::kBackup, "backup of this box, onto the stick");
+  return offers;
+}
+
+std::vector<Choosable> BoxCopies::Answers() {
+  return {{.kind = Choosable::Kind::kNo, .offer = {.file = {}, .name = "leave the box as it is"}, .remark = {}},
+          {.kind = Choosable::Kind::kYes, .offer = {.file = {}, .name = "yes, restore this"}, .remark = {}}};
+}
+
+std::vector<std::string> BoxCopies::Differences() const {
+  if (!asks()) return {};
+  auto lines = restoration_->Differences();
+  if (lines.size() <= kMostDifferences) return lines;
+  const std::size_t more = lines.size() - kMostDifferences;
+  lines.resize(kMostDifferences);
+  lines.push_back("and " + std::to_string(more) + " more");
+  return lines;
+}
+
+Progress BoxCopies::Begin(const Choosable& taken, const std::filesystem::path& stick, show::PublicKeys keys) {
+  restoration_.reset();
+  name_ = taken.kind == Choosable::Kind::kRestore ? taken.offer.name : "";
+  if (taken.kind == Choosable::Kind::kBackup) return BeginBackup(stick);
+  if (taken.kind == Choosable::Kind::kPutBack) {
+    if (auto ok = PutBack(places_.data); !ok) return {Message::kDiskFault, ok.error().message()};
+    return {Message::kUndoWaits};
+  }
+  auto input = backup::OpenInput(taken.offer.file);
+  if (!input) return {BackupMessageOf(input.error()), input.error().message()};
+  restoration_.emplace(RestoreTerms{places_.data, std::move(keys), trial_}, std::move(*input));
+  return restoration_->progress();
+}
+
+Progress BoxCopies::BeginBackup(const std::filesystem::path& stick) {
+  const std::string box = places_.name();
+  const std::time_t wall = places_.wall();
+  name_ = BackupFileName(box, wall);
+  if (auto ok = places_.set_writable(true); !ok) return {SupportMessageOf(ok.error()), ok.error().message()};
+  auto writer =
+      backup::Writer::Begin(places_.data, {box, TimeText(wall, "%Y-%m-%d %H:%M:%S %z")}, stick / name_);
+  if (!writer) return EndBackup(tl::unexpected(writer.error()));
+  writer_.emplace(std::move(*writer));
+  return {Message::kBackingUp};
+}
+
+Progress BoxCopies::Step() {
+  return writer_ ? StepBackup() : restoration_->Step();
+}
+
+Progress BoxCopies::StepBackup() {
+  const auto step = writer_->Step();
+  if (!step) return EndBackup(tl::unexpected(step.error()));
+  return *step ? EndBackup({}) : Progress{Message::kBackingUp};
+}
+
+// What is not whole is removed before the stick is closed again.
+Progress BoxCopies::EndBackup(const Result<void>& written) {
+  writer_.reset();
+  if (auto closed = places_.set_writable(false); !closed) LogWarning("{}", closed.error().message());
+  if (!written) return {MessageOfBackup(written.error()), written.error().message()};
+  return {Message::kBackedUp, {}, 1};
+}
+
+Progress BoxCopies::Answer(bool yes) {
+  const Progress progress = yes ? restoration_->Confirm() : Progress{Message::kLeft};
+  restoration_.reset();
+  return progress;
+}
+
+}  // namespace kaori::shows

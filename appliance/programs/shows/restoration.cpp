@@ -1,0 +1,278 @@
+#include "appliance/programs/shows/restoration.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "appliance/core/restore/kept.h"
+#include "appliance/programs/shows/own_name.h"
+#include "appliance/programs/shows/restore_disk.h"
+#include "appliance/programs/shows/stick.h"
+#include "drivers/base/folder.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
+
+namespace kaori::shows {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kIdDigitsShown = 8;
+
+std::string ContentOf(const fs::path& file) {
+  return ReadFile(file, {.most_bytes = backup::kLargestFile_bytes}).value_or("");
+}
+
+std::string ShortId(const std::string& show) {
+  return show == store::kRootShow ? "the box's own one" : show.substr(0, kIdDigitsShown);
+}
+
+}  // namespace
+
+Message BackupMessageOf(const Error& error) {
+  switch (error.cause) {
+    case backup::kNoBackup:
+      return Message::kNotABackup;
+    case backup::kNewerBackup:
+      return Message::kNewerBackup;
+    case backup::kOutsideBackup:
+      return Message::kOutside;
+    case backup::kCutOffBackup:
+      return Message::kCutOff;
+    case std::errc::file_too_large:
+      return Message::kTooLarge;
+    default:
+      return error.kind == ErrorKind::kInput ? Message::kDamaged : Message::kPulled;
+  }
+}
+
+Restoration::Restoration(RestoreTerms terms, std::unique_ptr<backup::Input> input)
+    : terms_(std::move(terms)), input_(std::move(input)) {}
+
+// Where this fails the next one replaces it.
+Restoration::~Restoration() {
+  static_cast<void>(RemoveFolder(terms_.data / restore::kIncoming));
+}
+
+fs::path Restoration::Staged(const std::string& path) const {
+  return terms_.data / restore::kIncoming / restore::kFiles / path;
+}
+
+void Restoration::Refuse(Message message, std::string detail) {
+  file_ = {};
+  reader_.reset();
+  static_cast<void>(RemoveFolder(terms_.data / restore::kIncoming));
+  progress_ = {message, std::move(detail), progress_.done};
+  stage_ = Stage::kEnded;
+}
+
+void Restoration::RefuseDisk(const Error& error) {
+  Refuse(error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault, error.message());
+}
+
+const Progress& Restoration::Step() {
+  if (stage_ == Stage::kOpen)
+    Open();
+  else if (stage_ == Stage::kCopy)
+    Copy();
+  else if (stage_ == Stage::kSame)
+    LookForSame();
+  else if (stage_ == Stage::kTry)
+    Try();
+  else if (stage_ == Stage::kCompare)
+    Compare();
+  return progress_;
+}
+
+// Reports stay where they are, so that they need no room.
+void Restoration::Open() {
+  auto reader = backup::Reader::Begin(std::move(input_));
+  if (!reader) return Refuse(BackupMessageOf(reader.error()), reader.error().message());
+  reader_.emplace(std::move(*reader));
+  const fs::path incoming = terms_.data / restore::kIncoming;
+  if (auto ok = RemoveFolder(incoming); !ok) return RefuseDisk(ok.error());
+  if (auto ok = MakeFolders(incoming / restore::kFiles); !ok) return RefuseDisk(ok.error());
+  std::uint64_t wanted = Installation::kReserve_bytes;
+  for (const auto& [member, sum] : reader_->contents().files)
+    if (!restore::IsReport(member.path)) wanted += member.bytes;
+  const auto free = FreeBytesOf(incoming);
+  if (!free) return RefuseDisk(free.error());
+  if (*free < wanted) return Refuse(Message::kFull, fmt::format("{} MB are needed", wanted / 1'000'000 + 1));
+  stage_ = Stage::kCopy;
+}
+
+Result<void> Restoration::Begin(const backup::Entry& entry) {
+  is_disk_ = true;
+  writing_ = entry.member.path;
+  if (restore::IsReport(writing_)) return {};
+  if (restore::IsPack(writing_)) {
+    pack_ = writing_;
+    pack_bytes_ = entry.member.bytes;
+  }
+  const fs::path file = Staged(writing_);
+  if (auto ok = MakeFolders(file.parent_path()); !ok) return ok;
+  file_ = UniqueFd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (!file_.valid()) return FailErrno("write " + file.string());
+  is_disk_ = false;
+  return {};
+}
+
+Result<void> Restoration::Append(std::span<const std::uint8_t> bytes) {
+  if (!file_.valid()) return {};
+  if (writing_ == pack_) {
+    const std::size_t head = std::min(bytes.size(), header_.size() - header_bytes_);
+    std::copy_n(bytes.begin(), head, header_.begin() + static_cast<std::ptrdiff_t>(header_bytes_));
+    header_bytes_ += head;
+    pack_sum_.Add(bytes.subspan(head));
+  }
+  auto written = WriteAll(file_.get(), bytes, writing_);
+  is_disk_ = !written;
+  return written;
+}
+
+Result<void> Restoration::End(const backup::Entry&) {
+  if (!file_.valid()) return {};
+  is_disk_ = ::fsync(file_.get()) < 0;
+  if (is_disk_) return FailErrno("write " + writing_);
+  ::posix_fadvise(file_.get(), 0, 0, POSIX_FADV_DONTNEED);
+  file_ = {};
+  return {};
+}
+
+void Restoration::Copy() {
+  const auto read = reader_->Step(*this);
+  if (!read) {
+    if (is_disk_) return RefuseDisk(read.error());
+    return Refuse(BackupMessageOf(read.error()), read.error().message());
+  }
+  if (!*read) return;
+  if (pack_.empty()) {
+    stage_ = Stage::kCompare;
+    return;
+  }
+  if (const auto wrong = CheckSigner()) return Refuse(*wrong);
+  progress_.message = Message::kTrying;
+  auto there = backup::OpenInput(terms_.data / pack_);
+  if (there) box_pack_ = std::move(*there);
+  stage_ = box_pack_ ? Stage::kSame : Stage::kTry;
+}
+
+// By the keys of the backup as well, which are shown as what is new before anybody agrees.
+std::optional<Message> Restoration::CheckSigner() const {
+  const auto seal = show::ReadHeader(std::span(header_).first(header_bytes_), pack_bytes_);
+  if (!seal) return MessageOf(seal.error());
+  const auto sum = show::Checksummer(pack_sum_).Finish();
+  if (sum != seal->checksum || pack_ != "shows/" + store::PackName(fmt::format("{:02x}", fmt::join(sum, ""))))
+    return Message::kDamaged;
+  if (!seal->signer) return Message::kUnsigned;
+  auto keys = terms_.keys;
+  const std::vector<fs::path> brought{Staged("settings/keys")};
+  std::vector<std::string> faults;
+  const auto more = show::ReadPublicKeys(brought, &faults);
+  if (more) keys.insert(keys.end(), more->begin(), more->end());
+  return std::ranges::find(keys, *seal->signer) == keys.end() ? std::optional(Message::kForeign) : std::nullopt;
+}
+
+// The box's own pack goes on where it has the same bytes; one that the disk has spoilt is put anew.
+void Restoration::LookForSame() {
+  std::vector<std::uint8_t> piece(backup::Reader::kPiece_bytes);
+  const auto got = box_pack_->Read(piece);
+  if (got) box_sum_.Add(std::span(piece).first(*got));
+  if (got && *got == piece.size()) return;
+  box_pack_.reset();
+  const auto& files = reader_->contents().files;
+  const auto entry = std::ranges::find(files, pack_, [](const backup::Entry& each) { return each.member.path; });
+  stage_ = Stage::kTry;
+  if (!got || box_sum_.Finish() != entry->sha256) return;
+  ::unlink(Staged(pack_).c_str());
+  stage_ = Stage::kCompare;
+}
+
+void Restoration::Try() {
+  stage_ = Stage::kCompare;
+  if (auto ok = terms_.trial(Staged(pack_)); !ok)
+    Refuse(ok.error().cause == std::errc::operation_canceled ? Message::kKeyOff : Message::kUnplayable,
+           ok.error().message());
+}
+
+// A box that has no settings and no name gets none by this.
+Result<void> Restoration::KeepName() {
+  const std::string path(restore::kSettings);
+  const std::string brought = ContentOf(Staged(path)), own = ContentOf(terms_.data / path);
+  const std::string text = WithNameOf(brought, own);
+  if (terms_.with_name || text == brought || (text.empty() && !IsThere(Staged(path)))) return {};
+  if (auto ok = MakeFolders(Staged(path).parent_path()); !ok) return ok;
+  return WriteWholeFile(Staged(path), {AsBytes(text)});
+}
+
+// What is the same on both sides is not put, so that the way back has only what was changed.
+Result<void> Restoration::MakePlan() {
+  const fs::path staged = terms_.data / restore::kIncoming / restore::kFiles;
+  const auto brought = restore::RestoredPaths(staged), own = restore::RestoredPaths(terms_.data);
+  if (!brought || !own) return tl::unexpected((!brought ? brought : own).error());
+  for (const std::string& path : *brought) {
+    const bool is_there = IsThere(terms_.data / path);
+    if (is_there && ContentOf(terms_.data / path) == ContentOf(staged / path)) continue;
+    (is_there ? changed_ : fresh_).push_back(path);
+    plan_.put.push_back(path);
+  }
+  for (const std::string& path : *own)
+    if (std::ranges::find(*brought, path) == brought->end()) plan_.removed.push_back(path);
+  if (!pack_.empty() && IsThere(staged / pack_)) plan_.put.push_back(pack_);
+  const std::string& show = reader_->contents().show;
+  if (show != store::ReadChoice(terms_.data / "shows").current) plan_.show = show;
+  return {};
+}
+
+void Restoration::Compare() {
+  if (auto ok = KeepName(); !ok) return RefuseDisk(ok.error());
+  if (auto ok = MakePlan(); !ok) return RefuseDisk(ok.error());
+  if (plan_ == restore::Plan()) return Refuse(Message::kNothingDiffers);
+  progress_.message = Message::kAskRestore;
+  stage_ = Stage::kAsks;
+}
+
+std::vector<std::string> Restoration::Differences() const {
+  std::vector<std::string> lines;
+  if (!plan_.show.empty())
+    lines.push_back("show " + ShortId(plan_.show) + " in place of " +
+                    ShortId(store::ReadChoice(terms_.data / "shows").current));
+  else if (!plan_.put.empty() && plan_.put.back() == pack_)
+    lines.push_back("show " + ShortId(reader_->contents().show) + " anew");
+  const auto add = [&](const char* word, const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) lines.push_back(fmt::format("{:8}{}", word, Printable(path, 60)));
+  };
+  add("changed", changed_);
+  add("gone", plan_.removed);
+  add("new", fresh_);
+  return lines;
+}
+
+Result<void> Restoration::Commit() {
+  const fs::path incoming = terms_.data / restore::kIncoming;
+  if (IsThere(terms_.data / restore::kKeeping))
+    return Fail(std::errc::device_or_resource_busy, "restore, while another restore is half done");
+  if (auto ok = WriteWholeFile(incoming / restore::kPlan, {AsBytes(Format(plan_))}); !ok) return ok;
+  if (auto ok = KeepDisk(terms_.data); !ok) return ok;
+  if (auto ok = RemoveFolder(terms_.data / restore::kNext); !ok) return ok;
+  if (auto ok = RenameOnDisk(incoming, terms_.data / restore::kNext); !ok) return ok;
+  return KeepDisk(terms_.data);
+}
+
+const Progress& Restoration::Confirm() {
+  if (stage_ != Stage::kAsks) return progress_;
+  if (auto ok = Commit(); !ok) {
+    RefuseDisk(ok.error());
+    return progress_;
+  }
+  progress_ = {Message::kRestoreWaits, {}, 1};
+  stage_ = Stage::kEnded;
+  return progress_;
+}
+
+}  // namespace kaori::shows

@@ -1,0 +1,55 @@
+#include "appliance/programs/shows/sticks.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "appliance/programs/shows/stick.h"
+
+namespace kaori::shows {
+
+Result<std::optional<std::filesystem::path>> Sticks::Look() {
+  const auto there = FindSticks("/sys/class/block");
+  const auto is_out = [&](const std::string& device) { return std::ranges::find(there, device) == there.end(); };
+  const std::string before = device_;
+  if (is_out(device_)) Leave();
+  std::erase_if(refused_, is_out);
+  for (const std::string& device : there) {
+    if (holds_something_) break;
+    if (device != device_ && std::ranges::find(refused_, device) == refused_.end()) Try(device);
+  }
+  if (!before.empty() && device_ != before) return std::optional<std::filesystem::path>();
+  if (mount_) return std::optional(at_);
+  if (there.empty()) return std::optional<std::filesystem::path>();
+  return tl::unexpected(fault_);
+}
+
+Result<void> Sticks::SetWritable(bool writable) {
+  return mount_ ? mount_->SetWritable(writable) : Result<void>{};
+}
+
+void Sticks::Leave() {
+  mount_.reset();
+  device_.clear();
+  holds_something_ = false;
+}
+
+bool Sticks::HoldsSomething() const {
+  const auto shows = ListShows(at_), keys = ListKeys(at_), backups = ListBackups(at_);
+  return (shows && !shows->empty()) || (keys && !keys->empty()) || (backups && !backups->empty());
+}
+
+void Sticks::Try(const std::string& device) {
+  if (mount_) refused_.push_back(device_);
+  Leave();
+  auto mount = StickMount::Make("/dev/" + device, at_);
+  if (!mount) {
+    fault_ = mount.error();
+    refused_.push_back(device);
+    return;
+  }
+  mount_.emplace(std::move(*mount));
+  device_ = device;
+  holds_something_ = HoldsSomething();
+}
+
+}  // namespace kaori::shows

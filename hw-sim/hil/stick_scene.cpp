@@ -1,0 +1,118 @@
+#include "hw-sim/hil/stick_scene.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::minutes;
+using std::chrono::seconds;
+
+constexpr Duration kStickAnswer = seconds(60);
+constexpr Duration kLongestChange = minutes(5);  // Until the stage draws with another show.
+// QEMU's vendor and product; behind it whether it is authorised.
+constexpr const char* kStickNumber = "46f4:0001 ";
+
+}  // namespace
+
+Setup StickSetup(const std::string& disk) {
+  return {.sound = false, .keeps_disk = !disk.empty(), .width_px = 480, .height_px = 270, .disk = disk};
+}
+
+std::string TextInBox(Scene& scene, const std::string& question) {
+  return scene.target.agent().Ask(question, kStickAnswer).value_or("");
+}
+
+Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest) {
+  std::string said;
+  const auto says = [&] {
+    said = TextInBox(scene, kSaid);
+    return said.find(words) != std::string::npos;
+  };
+  if (scene.target.Until(says, longest)) return {};
+  return FailInput(fmt::format("the box does not say \"{}\" of the stick, but \"{}\"", words, said));
+}
+
+Result<void> Plug(Scene& scene, const char* stick) {
+  return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick, false);
+}
+
+Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
+  constexpr int kMostPresses = 3;
+  Result<void> said;
+  for (int n = 0; n < kMostPresses; ++n) {
+    scene.target.For(seconds(3));
+    scene.target.rig().devices().keyboard.Press(key);
+    scene.target.For(std::chrono::milliseconds(300));
+    scene.target.rig().devices().keyboard.Release(key);
+    said = WantStickSaid(scene, words, seconds(60));
+    if (said) break;
+  }
+  return said;
+}
+
+Result<std::string> ChosenId(Scene& scene) {
+  const std::string choice = TextInBox(scene, "read /var/lib/kaori/shows/choice.1");
+  constexpr std::string_view kWord = "\ncurrent ";
+  const std::size_t at = choice.find(kWord);
+  if (at == std::string::npos) return FailInput("no show is chosen on the box");
+  const std::size_t begin = at + kWord.size();
+  return choice.substr(begin, choice.find('\n', begin) - begin);
+}
+
+Result<void> WantPlayed(Scene& scene, const std::string& id) {
+  const auto noted = [&] {
+    return TextInBox(scene, "read /run/kaori/plays").find("playing " + id) != std::string::npos;
+  };
+  if (!scene.target.Until(noted, kLongestChange)) return FailInput("the stage does not play the chosen show");
+  const auto now = scene.target.Board();
+  const auto draws = [&](const BoardView& board) {
+    return board.stage.live && board.stage.frames > 1 && (!now || board.stage.read_ns > now->now_ns);
+  };
+  if (auto seen = scene.target.UntilBoard(draws, kLongestChange, "see the chosen show drawn"); !seen)
+    return tl::unexpected(seen.error());
+  return {};
+}
+
+Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words) {
+  const std::string said = TextInBox(scene, kSaid);
+  const std::size_t at = said.find(words);
+  const std::size_t number =
+      at == std::string::npos ? at : said.find_first_of("123456789", said.rfind('\n', at) + 1);
+  if (number >= at) return FailInput(fmt::format("the list has no \"{}\", but says \"{}\"", words, said));
+  return static_cast<std::uint8_t>(kOne + (said[number] - '1'));
+}
+
+// The lines go with kaori-shows; the kernel is told by udev once that has ended.
+Result<void> WantDead(Scene& scene) {
+  const auto dead = [&] {
+    return TextInBox(scene, kSaid).empty() &&
+           TextInBox(scene, "usb").find(std::string(kStickNumber) + "0") != std::string::npos;
+  };
+  return scene.target.Until(dead, kLongestReading)
+             ? Result<void>{}
+             : FailInput("the stick is alive after the key was turned back");
+}
+
+Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name) {
+  std::string stick = scene.folder + "/" + name + ".stick";
+  std::error_code failed;
+  std::filesystem::copy_file(scene.target.machine().options().sticks + "/empty.stick", stick,
+                             std::filesystem::copy_options::overwrite_existing, failed);
+  if (failed) return Fail(static_cast<std::errc>(failed.value()), "copy the empty stick");
+  if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return tl::unexpected(ok.error());
+  return stick;
+}
+
+Result<void> BringKey(Scene& scene) {
+  if (auto ok = Plug(scene, "evening.stick"); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "> 1  evening  ", kLongestReading); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "  2  key theatre  ", seconds(5)); !ok) return ok;
+  if (auto ok = PressFor(scene, kOne, "evening: this box "); !ok) return ok;
+  return PressFor(scene, kTwo, "theatre: this key is on the box now");
+}
+
+}  // namespace kaori::hil

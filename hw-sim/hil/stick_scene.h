@@ -1,0 +1,56 @@
+// What checks of sticks share: a box whose service key is on, what it says of a stick, and its list.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/setup.h"
+
+namespace kaori::hil {
+
+inline constexpr int kStickKey = 2;  // A line of the bridge, as docs/image.md wires it.
+inline constexpr std::uint8_t kOne = 0x1E, kTwo = 0x1F;  // Keys, HID page 7.
+inline constexpr const char* kSaid = "read /run/kaori-shows/lines";
+// The kernel waits before it asks a stick; so does udev.
+inline constexpr Duration kLongestReading = std::chrono::seconds(240);
+
+// A small screen, so that the face leaves the trial something of the processors. With a disk of its own what
+// is installed is kept over a start; without one the image's is used, and stays as it ships.
+Setup StickSetup(const std::string& disk);
+
+// What the agent answers; empty where there is no such file, or no answer in time: whoever asks again sees
+// the next one.
+std::string TextInBox(Scene& scene, const std::string& question);
+
+// Errors: invalid_argument, the box says something else; with what it says.
+Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest);
+
+// Plugs a stick of the options' folder in where the rig leaves a port free, as for unauthorised devices: one at a time.
+Result<void> Plug(Scene& scene, const char* stick);
+
+// Plugs a copy of the empty stick in, which can be written; gives its file.
+Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name);
+
+// Presses a key until the box says what it should of it: it may have looked at the keys for the last time
+// just before.
+Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words);
+
+// The id of the chosen show. Errors: invalid_argument, none is chosen.
+Result<std::string> ChosenId(Scene& scene);
+
+// The stage has begun to play it, and draws.
+Result<void> WantPlayed(Scene& scene, const std::string& id);
+
+// The key of the list's line with these words: its number, 1 to 9. Errors: invalid_argument, there is none.
+Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words);
+
+// Nothing is said of the stick any more, and the kernel has let it go.
+Result<void> WantDead(Scene& scene);
+
+// Plugs the theatre's stick in, sees its show refused, and takes the key of whoever signed it: the image knows no key, so
+// that the way of a guest is tried, which has all the steps of the others and one more. The show's line is the first.
+Result<void> BringKey(Scene& scene);
+
+}  // namespace kaori::hil
