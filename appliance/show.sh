@@ -139,16 +139,17 @@ push_show() {
   say "$name is on the stick. At the box: key on, stick in, and GO takes it."
 }
 
-# Of a box whose disk is in this computer: copy_of_box backup DATA FOLDER, or diff and restore FILE DATA.
+# Of a box whose disk is in this computer: copy_of_box backup DATA FOLDER, or diff and restore FILE DATA [--at-once].
 copy_of_box() {
-  local verb=$1 words=("${@:2}") data other
+  local verb=$1 words=("${@:2}") data other at_once=''
+  if [[ $verb = restore && ${words[-1]-} = --at-once ]]; then at_once=--at-once; unset 'words[-1]'; fi
   [[ ${#words[@]} = 2 && ${words[0]} != -* && ${words[1]} != -* ]] ||
     fail "show backup takes the data partition's folder and a FOLDER, diff and restore a FILE and that folder; see ./box help"
   if [ "$verb" = backup ]; then data=${words[0]} other=${words[1]}; else data=${words[1]} other=${words[0]}; fi
   data=$(from_caller "$data") other=$(from_caller "$other")
   [ -d "$data/shows" ] || fail "$data is no data partition of a box: it has no folder shows"
   build release kaori-shows kaori-stage
-  $BIN/kaori-shows "--$verb" "$other" --shows "$data/shows" --keys "$data/settings/keys" --board "$data/none" --stage $BIN/kaori-stage
+  $BIN/kaori-shows "--$verb" "$other" --shows "$data/shows" --keys "$data/settings/keys" --board "$data/none" --stage $BIN/kaori-stage $at_once
 }
 
 # Whether a file of a stick is what was written: is_written FILE COPY. Not what the kernel remembers of it: what is on the stick.

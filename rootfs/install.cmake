@@ -1,7 +1,7 @@
 # What a box has besides its programs: the show, systemd's units, udev's rules. For systems that rootfs/image does not build,
 # such as Yocto's: `DESTDIR=FOLDER cmake --install out/build/release` lays everything down below FOLDER.
 #
-# Users and groups are the system's to make: kaori-stage, kaori-input, kaori-lips, kaori-fdkeeper, kaori-surface and kaori-trial,
+# Users and groups are the system's to make: kaori-stage, kaori-input, kaori-lips, kaori-fdkeeper, kaori-surface, kaori-desk and kaori-trial,
 # and the group kaori.
 option(KAORI_BOX_SYSTEM "The system is a box and nothing else: its show is what systemd starts, its data have a partition" OFF)
 set(KAORI_UNIT_DIR lib/systemd/system CACHE PATH "Where systemd's units are installed")
@@ -22,9 +22,10 @@ install(DIRECTORY ${overlay}/udev/rules.d DESTINATION ${KAORI_UDEV_DIR})
 file(GLOB units CONFIGURE_DEPENDS ${overlay}/systemd/system/kaori*.service ${overlay}/systemd/system/kaori*.socket
      ${overlay}/systemd/system/kaori*.path
      ${overlay}/systemd/system/kaori.target)
+list(FILTER units EXCLUDE REGEX "kaori-desk\\.")  # It waits for the address that kaori-boot gives a box.
 install(FILES ${units} DESTINATION ${KAORI_UNIT_DIR})
 install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori-shows.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR}
-        PATTERN mend-data.service EXCLUDE)
+        PATTERN mend-data.service EXCLUDE PATTERN kaori-desk.path EXCLUDE)
 
 if(KAORI_BOX_SYSTEM)
   install(FILES ${overlay}/systemd/system/var-lib-kaori.mount ${overlay}/systemd/system/mend-data.service DESTINATION ${KAORI_UNIT_DIR})

@@ -1,4 +1,4 @@
-// A stick's file system is the one thing that a stranger gives to the kernel: damaged ones end nothing.
+// A stick's file system is the one thing that somebody unknown gives to the kernel: damaged ones end nothing.
 #include <cstdint>
 #include <sstream>
 

@@ -10,7 +10,7 @@
 
 namespace kaori::hil {
 
-inline constexpr int kStickKey = 2;  // A line of the bridge, as docs/image.md wires it.
+inline constexpr int kStickKey = 2;                      // A line of the bridge, as docs/image.md wires it.
 inline constexpr std::uint8_t kOne = 0x1E, kTwo = 0x1F;  // Keys, HID page 7.
 inline constexpr const char* kSaid = "read /run/kaori-shows/lines";
 // The kernel waits before it asks a stick; so does udev.

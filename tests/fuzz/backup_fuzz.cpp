@@ -73,7 +73,8 @@ void ReadList(std::string_view lines) {
   if (!contents) return;
   for (const auto& entry : contents->files)
     kaori::fuzz::Promise(BelongsToABox(entry.member.path), "no list leads out of the box's folders");
-  kaori::fuzz::Promise(backup::ParseContents(backup::Format(*contents)) == *contents, "what was read can be written");
+  kaori::fuzz::Promise(backup::ParseContents(backup::Format(*contents)) == *contents,
+                       "what was read can be written");
 }
 
 }  // namespace

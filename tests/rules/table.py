@@ -48,11 +48,14 @@ MAY_INCLUDE = (
     ("appliance/programs/surface/", _DECODE + ("appliance/core/board/",)),
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
+    ("appliance/programs/monitor/", _PROGRAM + ("appliance/programs/status/",)),
     ("appliance/programs/shows/", _BASE + ("appliance/core/backup/", "appliance/core/board/", "appliance/core/restore/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
-                                           "appliance/programs/status/")),
+                                           "appliance/programs/status/",
+                                           # A settings file is judged by the programs that will read it.
+                                           "appliance/programs/boot/", "appliance/programs/input/")),
     ("appliance/programs/lips/protocol/", _BASE),
     ("appliance/programs/lips/", _PROGRAM),
-    ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/status/")),
+    ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/monitor/", "appliance/programs/status/")),
     ("appliance/programs/desk/", _BASE + ("render/image/", "appliance/core/board/", "appliance/programs/lips/protocol/",
                                           "appliance/programs/status/", "drivers/web/")),
     ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.

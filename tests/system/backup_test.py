@@ -2,15 +2,19 @@
 """Backup and restore of a box, by the program itself: what another tool reads in a backup, a second box made of it, and
 backups that must be refused.
 
-Usage: backup_test.py BIN PACK     BIN holds the programs; PACK is a show
+Usage: backup_test.py BIN PACK REPORT     BIN holds the programs; PACK is a show; REPORT (out/backup.json) gets `restore_differs`,
+the files that are not the same on a second box that was made of the backup, and `clone_minutes`, from the first to the second one
+with the disks of both in this computer
 """
 
 import hashlib
 import io
+import json
 import subprocess
 import sys
 import tarfile
 import tempfile
+import time
 from pathlib import Path
 
 REFUSED = 1
@@ -76,8 +80,29 @@ def bad_backups(good):
             ("text", b"no backup at all", "no backup of a box"))
 
 
+# What a restore puts, and what it leaves to each box: its name, its number, its last face, what it did.
+RESTORED = ("settings", "own", "lips", "shows")
+OF_ONE_BOX = ("settings/box.toml", "own/last-face", "own/log/evening", "shows/choice.0", "shows/choice.1")
+
+
+def files_of(box):
+    return {str(path.relative_to(box)): path.read_bytes() for folder in RESTORED if (box / folder).exists()
+            for path in (box / folder).rglob("*") if path.is_file()}
+
+
+def clone(programs, first, second, stick):
+    """(files of the first box that the second one has not or otherwise, minutes that it took)."""
+    begun = time.monotonic()
+    made = [shows(programs, first, "--backup", stick), shows(programs, second, "--restore", next(stick.glob("*.kaorishow")), "--at-once")]
+    minutes = (time.monotonic() - begun) / 60
+    if any(done.returncode for done in made):
+        sys.exit("no second box: " + "".join(done.stderr for done in made))
+    ours, theirs = files_of(first), files_of(second)
+    return [path for path in sorted({*ours, *theirs} - {*OF_ONE_BOX}) if ours.get(path) != theirs.get(path)], minutes
+
+
 def main():
-    programs, pack = (Path(word).resolve() for word in sys.argv[1:])
+    programs, pack, report = (Path(word).resolve() for word in sys.argv[1:])
     faults = []
 
     def want(condition, words):
@@ -85,8 +110,8 @@ def main():
             faults.append(words)
 
     with tempfile.TemporaryDirectory() as folder:
-        first, second, stick = (Path(folder) / name for name in ("first", "second", "stick"))
-        for place in (first, second, stick, second / "shows"):
+        first, second, third, stick, other_stick = (Path(folder) / name for name in ("first", "second", "third", "stick", "other-stick"))
+        for place in (first, second, third, stick, other_stick, second / "shows", third / "shows"):
             place.mkdir()
         show = box_with_show(programs, pack, first)
         done = shows(programs, first, "--backup", stick)
@@ -127,7 +152,16 @@ def main():
         want(not (waits / "own/log").exists(), "a report of another box waits")
         want([path.read_bytes() for path in (waits / "shows").iterdir()] == [show.read_bytes()], "the show does not wait")
         want((second / "settings/box.toml").read_text() == 'name = "right"\n', "the box was changed before its next start")
-    print("backup: one written, one restored, six refused")
+
+        put(third, "settings/box.toml", 'name = "third"\n')
+        put(third, "own/09-goes.toml", "of the third box")
+        differing, minutes = clone(programs, first, third, other_stick)
+        want(not differing, f"the third box has not the same: {differing}")
+        want((third / "settings/box.toml").read_text() == 'name = "third"\nprofile = "stage"\n', "the third box loses its name")
+        want((third / "restore/kept/files/own/09-goes.toml").read_text() == "of the third box", "what was there is not kept")
+    report.parent.mkdir(parents=True, exist_ok=True)
+    report.write_text(json.dumps({"restore_differs": len(differing), "clone_minutes": round(minutes, 3)}, indent=2) + "\n")
+    print(f"backup: one written, two restored, six refused; a second box was made in {minutes * 60:.1f} s")
     if faults:
         sys.exit("\n".join(faults))
 

@@ -12,14 +12,15 @@ Each figure is taken from where it was measured, or it is null, and named: none 
   secure_boot_cases_failed             disks that start or do not start as their signatures say
   sbom_files_unmatched                 files of the image of which nobody knows whence they are
   restore_differs                      files that are not the same after a backup is brought back
-  clone_minutes                        from one box to a second one like it
+  clone_minutes                        from one box to a second one like it: as two boxes did it by a stick, else by their disks
 """
 
 import json
 import sys
 from pathlib import Path
 
-MEASURED_BY_BENCH = ("support_file_kb", "install_under_play_rate", "journal_kept_mb", "first_face_over_stock", "secure_boot_cases_failed")
+MEASURED_BY_BENCH = ("support_file_kb", "install_under_play_rate", "journal_kept_mb", "first_face_over_stock", "secure_boot_cases_failed",
+                     "clone_minutes")
 # File in OUT, and which figures it has; of a figure that two have the first counts.
 SOURCES = (("boot.json", MEASURED_BY_BENCH),
            ("image.json", ("sbom_files_unmatched",)),

@@ -14,7 +14,8 @@
 namespace kaori::backup {
 namespace {
 
-constexpr std::string_view kHead = "kaori-backup ", kSum = "sum ", kBox = "box ", kMade = "made ", kShow = "show ";
+constexpr std::string_view kHead = "kaori-backup ", kSum = "sum ", kBox = "box ", kMade = "made ",
+                           kShow = "show ";
 constexpr std::size_t kLongestText = 100;
 
 auto Damaged() {
@@ -27,8 +28,8 @@ std::string SumOf(std::string_view text) {
   return sum.Finish();
 }
 
-// Takes the first line off; nothing where the text does not end it.
-std::optional<std::string_view> TakeLine(std::string_view& text) {
+// Cuts the first line off; nothing where the text does not end it.
+std::optional<std::string_view> CutLine(std::string_view& text) {
   const auto end = text.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
   const auto line = text.substr(0, end);
@@ -36,13 +37,15 @@ std::optional<std::string_view> TakeLine(std::string_view& text) {
   return line;
 }
 
-bool TakeWord(std::string_view& text, std::string_view word, std::string& into) {
-  const auto line = TakeLine(text);
+// The text behind `word` on the next line, where the line begins with it and is not too long.
+bool CutWord(std::string_view& text, std::string_view word, std::string& into) {
+  const auto line = CutLine(text);
   if (!line || !line->starts_with(word) || line->size() > word.size() + kLongestText) return false;
   into = line->substr(word.size());
   return true;
 }
 
+// The longest that is believed depends on what it is; a path that is none of a box's is refused, whatever its length.
 Result<void> CheckMember(const Member& member) {
   const std::string& path = member.path;
   std::uint64_t most = kLargestFile_bytes;
@@ -90,6 +93,7 @@ Result<void> CheckWhole(const Contents& contents) {
 
 }  // namespace
 
+// The checksum is of all lines before it. Whoever changes one has to make it anew, as sha256sum does.
 std::string Format(const Contents& contents) {
   std::string text = fmt::format("{}{}\n{}{}\n{}{}\n{}{}\n", kHead, kBackupVersion, kBox, contents.box, kMade,
                                  contents.made, kShow, contents.show);
@@ -102,7 +106,7 @@ std::string Format(const Contents& contents) {
 Result<Contents> ParseContents(std::string_view text) {
   std::string version;
   std::string_view rest = text;
-  if (!TakeWord(rest, kHead, version)) return FailInput("is no backup of a box", kNoBackup);
+  if (!CutWord(rest, kHead, version)) return FailInput("is no backup of a box", kNoBackup);
   const auto number = ParseNumber<int>(version);
   if (!number) return Damaged();
   if (*number > kBackupVersion) return FailInput("is of version " + std::to_string(*number), kNewerBackup);
@@ -112,13 +116,14 @@ Result<Contents> ParseContents(std::string_view text) {
     return Damaged();
   rest.remove_suffix(text.size() - sum_at);
   Contents contents;
-  if (!TakeWord(rest, kBox, contents.box) || !TakeWord(rest, kMade, contents.made) ||
-      !TakeWord(rest, kShow, contents.show))
+  if (!CutWord(rest, kBox, contents.box) || !CutWord(rest, kMade, contents.made) ||
+      !CutWord(rest, kShow, contents.show))
     return Damaged();
   while (!rest.empty()) {
-    const auto line = TakeLine(rest);
+    const auto line = CutLine(rest);
     if (!line) return Damaged();
-    if (contents.files.size() == kMostFiles) return FailInput("has too many files", std::errc::file_too_large);
+    if (contents.files.size() == kMostFiles)
+      return FailInput("has too many files", std::errc::file_too_large);
     auto entry = ParseEntry(*line);
     if (!entry) return tl::unexpected(entry.error());
     contents.files.push_back(std::move(*entry));

@@ -95,6 +95,7 @@ Result<void> Reader::BeginFile(Sink& sink) {
   return sink.Begin(entry);
 }
 
+// The zeros up to the next block are read and not judged: tar(1) does not either.
 Result<void> Reader::EndFile(Sink& sink) {
   const Entry& entry = contents_.files[file_];
   std::vector<std::uint8_t> padding(Padding(entry.member.bytes));
@@ -117,6 +118,7 @@ Result<void> Reader::ReadEnd() {
   return {};
 }
 
+// A file of no bytes is begun and ended by one step, as any other that fits into a piece.
 Result<bool> Reader::Step(Sink& sink) {
   if (file_ == contents_.files.size()) {
     if (auto ok = ReadEnd(); !ok) return tl::unexpected(ok.error());

@@ -12,22 +12,27 @@
 
 namespace kaori::backup {
 
-// A backup's bytes: a file on a stick, which may go at any moment, or what a test gives.
+// A backup's bytes: a file on a stick, which may go at any moment, or what a test gives. Used by one thread.
 class Input {
  public:
   virtual ~Input() = default;
-  // Fills `into` as far as the file goes, and says how far. Errors: those of read(2).
+  // Fills `into` as far as the file goes, and says how far: less than all of it only at the file's end. Blocks for the
+  // disk. Errors: those of read(2), which are of kind kSystem, as of a stick that was pulled.
   virtual Result<std::size_t> Read(std::span<std::uint8_t> into) = 0;
 };
 
-// Errors: those of open(2); kNoBackup for what is no regular file.
+// A file of a stick, or of the box. Links are not followed, and nobody is waited for. Errors: those of open(2); kNoBackup
+// for what is no regular file.
 Result<std::unique_ptr<Input>> OpenInput(const std::filesystem::path& file);
 
-// Gets the files of a backup, in their order. An error ends the reading with it.
+// Gets the files of a backup, in their order: for each of them Begin, Append until it is whole, End. Whoever keeps what
+// comes must not believe it before End. An error ends the reading with it.
 class Sink {
  public:
   virtual ~Sink() = default;
+  // The file that comes now: its path is one of a backup's, its length within the limits.
   virtual Result<void> Begin(const Entry& entry) = 0;
+  // The next bytes of it, 1 MiB at most; borrowed for the call.
   virtual Result<void> Append(std::span<const std::uint8_t> bytes) = 0;
   // The file is whole, and its checksum fits.
   virtual Result<void> End(const Entry& entry) = 0;
@@ -37,7 +42,7 @@ class Sink {
 // fit); of kind kSystem what the input has.
 class Reader {
  public:
-  // Reads the list.
+  // Reads the list, and nothing behind it: whoever wants to know first what is in a backup reads no more.
   static Result<Reader> Begin(std::unique_ptr<Input> input);
   const Contents& contents() const { return contents_; }
   // The next piece of a file, kPiece_bytes at most. True: that was the last one, and nothing follows on it.
@@ -47,16 +52,22 @@ class Reader {
 
  private:
   explicit Reader(std::unique_ptr<Input> input) : input_(std::move(input)) {}
+  // All of `into`, or kCutOffBackup.
   Result<void> ReadAll(std::span<std::uint8_t> into);
+  // The header of a member; an archive that ends here is cut off.
   Result<Member> ReadHeader();
   Result<void> ReadContents();
+  // The header of the next file, compared with the list, and its end.
   Result<void> BeginFile(Sink& sink);
   Result<void> EndFile(Sink& sink);
+  // The archive's end, behind which nothing may follow.
   Result<void> ReadEnd();
 
   std::unique_ptr<Input> input_;
   Contents contents_;
-  std::size_t file_ = 0;  // Of contents_, that is being read.
+  // Of contents_, that is being read.
+  std::size_t file_ = 0;
+  // Its header was read; so much of it is still to come, and what came has this checksum.
   bool begun_ = false;
   std::uint64_t left_bytes_ = 0;
   Sha256 sum_;

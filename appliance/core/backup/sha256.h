@@ -17,7 +17,8 @@ class Sha256 {
   std::string Finish();
 
  private:
-  alignas(16) std::array<std::uint8_t, 128> state_;  // libsodium's, opaque.
+  // libsodium's, opaque.
+  alignas(16) std::array<std::uint8_t, 128> state_;
 };
 
 }  // namespace kaori::backup

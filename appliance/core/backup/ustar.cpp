@@ -15,7 +15,10 @@ struct Field {
 };
 constexpr Field kName{0, 100}, kMode{100, 8}, kUser{108, 8}, kGroup{116, 8}, kSize{124, 12}, kTime{136, 12},
     kSumField{148, 8}, kType{156, 1}, kMagic{257, 8}, kPrefix{345, 155};
-constexpr std::string_view kUstar("ustar\0" "00", 8);
+constexpr std::string_view kUstar(
+    "ustar\0"
+    "00",
+    8);
 constexpr char kRegular = '0';
 
 void Put(Block& block, Field field, std::string_view text) {
@@ -44,12 +47,14 @@ std::optional<std::uint64_t> Octal(std::string_view text) {
   std::size_t digits = 0;
   for (; digits < text.size() && text[digits] >= '0' && text[digits] <= '7'; ++digits)
     number = number * 8 + static_cast<std::uint64_t>(text[digits] - '0');
-  if (digits == 0 || (digits < text.size() && text[digits] != ' ' && text[digits] != '\0')) return std::nullopt;
+  if (digits == 0 || (digits < text.size() && text[digits] != ' ' && text[digits] != '\0'))
+    return std::nullopt;
   return number;
 }
 
 }  // namespace
 
+// The sum is written with six digits, a zero byte and a blank, as tar(1) has always done it.
 Block MakeBlock(const Member& member) {
   Block block{};
   Put(block, kName, std::string_view(member.path).substr(0, kName.bytes));
@@ -64,6 +69,7 @@ Block MakeBlock(const Member& member) {
   return block;
 }
 
+// Links, folders, devices and extended headers are refused by their type: an archive of ours has none.
 Result<std::optional<Member>> ReadBlock(std::span<const std::uint8_t, kBlock_bytes> block) {
   if (std::ranges::all_of(block, [](std::uint8_t byte) { return byte == 0; })) return std::nullopt;
   const auto sum = Octal(Text(block, kSumField)), bytes = Octal(Text(block, kSize));

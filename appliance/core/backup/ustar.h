@@ -16,8 +16,10 @@ using Block = std::array<std::uint8_t, kBlock_bytes>;
 
 // One file of an archive.
 struct Member {
-  std::string path;  // 1 to restore::kLongestPath bytes: ustar's prefix is not used.
-  std::uint64_t bytes = 0;  // Below 8 GiB.
+  // 1 to restore::kLongestPath bytes: ustar's prefix is not used.
+  std::string path;
+  // Below 8 GiB.
+  std::uint64_t bytes = 0;
   friend bool operator==(const Member&, const Member&) = default;
 };
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "appliance/core/restore/kept.h"
@@ -31,7 +32,8 @@ auto Changed(const std::string& path) {
 
 Result<Writer> Writer::Begin(const fs::path& data, const Head& head, const fs::path& file) {
   Writer writer(data, file);
-  writer.contents_ = {.box = head.box, .made = head.made, .show = store::ReadChoice(data / "shows").current, .files = {}};
+  writer.contents_ = {
+      .box = head.box, .made = head.made, .show = store::ReadChoice(data / "shows").current, .files = {}};
   if (auto ok = writer.AddFiles(); !ok) return tl::unexpected(ok.error());
   writer.out_ = UniqueFd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (!writer.out_.valid()) return FailErrno("write " + file.string());
@@ -62,6 +64,8 @@ Result<void> Writer::AddFiles() {
 Result<void> Writer::OpenNext() {
   if (source_) return {};
   auto source = OpenInput(data_ / contents_.files[at_].member.path);
+  const std::string& path = contents_.files[at_].member.path;
+  if (!source && source.error().cause == std::errc::no_such_file_or_directory) return Changed(path);
   if (!source) return tl::unexpected(source.error());
   source_ = std::move(*source);
   read_bytes_ = 0;
@@ -69,10 +73,10 @@ Result<void> Writer::OpenNext() {
   return {};
 }
 
-// Into piece_; shorter than a piece only at the file's end.
-Result<std::size_t> Writer::ReadPiece() {
+// Into piece_; shorter than a piece only at the file's end, or where no more than `most_bytes` are wanted.
+Result<std::size_t> Writer::ReadPiece(std::uint64_t most_bytes) {
   if (auto ok = OpenNext(); !ok) return tl::unexpected(ok.error());
-  piece_.resize(Reader::kPiece_bytes);
+  piece_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(Reader::kPiece_bytes, most_bytes)));
   auto got = source_->Read(piece_);
   if (!got) return got;
   piece_.resize(*got);
@@ -86,7 +90,7 @@ Result<void> Writer::SumPiece() {
     stage_ = Stage::kList;
     return {};
   }
-  const auto got = ReadPiece();
+  const auto got = ReadPiece(Reader::kPiece_bytes);
   if (!got) return tl::unexpected(got.error());
   if (*got == Reader::kPiece_bytes) return {};
   Entry& entry = contents_.files[at_++];
@@ -113,12 +117,15 @@ Result<void> Writer::WriteList() {
   return Write(std::vector<std::uint8_t>(Padding(text.size())));
 }
 
+// What a report has grown by since it was summed is left out; any other file that differs ends the backup.
 Result<void> Writer::CopyPiece() {
   if (at_ == contents_.files.size()) return Finish();
   const Entry& entry = contents_.files[at_];
   if (!source_)
     if (auto ok = Write(MakeBlock(entry.member)); !ok) return ok;
-  const auto got = ReadPiece();
+  if (auto ok = OpenNext(); !ok) return ok;
+  const bool grows = restore::IsReport(entry.member.path);
+  const auto got = ReadPiece(grows ? entry.member.bytes - read_bytes_ : Reader::kPiece_bytes);
   if (!got) return tl::unexpected(got.error());
   if (read_bytes_ > entry.member.bytes) return Changed(entry.member.path);
   if (auto ok = Write(piece_); !ok) return ok;
@@ -143,12 +150,16 @@ Result<void> Writer::Finish() {
   return {};
 }
 
+// A stick that gives back other bytes than it got is as good as one that cannot be written.
 Result<bool> Writer::Step() {
   Result<void> done;
   Nowhere nowhere;
-  if (stage_ == Stage::kSum) done = SumPiece();
-  else if (stage_ == Stage::kList) done = WriteList();
-  else if (stage_ == Stage::kCopy) done = CopyPiece();
+  if (stage_ == Stage::kSum)
+    done = SumPiece();
+  else if (stage_ == Stage::kList)
+    done = WriteList();
+  else if (stage_ == Stage::kCopy)
+    done = CopyPiece();
   else if (stage_ == Stage::kBack) {
     const auto read = back_->Step(nowhere);
     if (!read && read.error().kind == ErrorKind::kInput)

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "appliance/core/restore/plan.h"
 #include "appliance/core/store/choice.h"
@@ -29,14 +30,17 @@ void GiveToFolder(const fs::path& path) {
     static_cast<void>(::lchown(path.c_str(), folder.st_uid, folder.st_gid) == 0);
 }
 
+// One start's work at a restore. Each of its changes may be the last before the power goes: what the next start finds says how
+// far it came, and none is done a second time.
 class Application {
  public:
   Application(const fs::path& data, const BeforeChange& before) : data_(data), before_(before) {}
 
+  // Ends with the plan of the way back whole, and that of the restore gone.
   Result<void> Do(const Plan& plan) {
     if (auto ok = NoteShowBefore(); !ok) return ok;
     for (const std::string& path : plan.removed)
-      if (auto ok = TakeAway(path); !ok) return ok;
+      if (auto ok = MoveAway(path); !ok) return ok;
     for (const std::string& path : plan.put)
       if (auto ok = Put(path); !ok) return ok;
     if (auto ok = Choose(plan.show); !ok) return ok;
@@ -66,13 +70,17 @@ class Application {
   Result<void> Rename(const fs::path& from, const fs::path& to) {
     return Change([&] { return std::rename(from.c_str(), to.c_str()); }, "restore " + to.string());
   }
+  // One after the other, what lies deepest first, so that a cut in the middle can be tried.
   Result<void> RemoveAll(const fs::path& folder) {
     if (!IsThere(folder)) return {};
-    if (before_)
-      if (auto ok = before_(); !ok) return ok;
+    std::vector<fs::path> doomed{folder};
     std::error_code failed;
-    fs::remove_all(folder, failed);
-    if (failed) return Fail(static_cast<std::errc>(failed.value()), "remove " + folder.string());
+    for (fs::recursive_directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+      doomed.push_back(it->path());
+    if (failed) return Fail(static_cast<std::errc>(failed.value()), "look at " + folder.string());
+    for (auto each = doomed.rbegin(); each != doomed.rend(); ++each)
+      if (auto ok = Change([&] { return std::remove(each->c_str()); }, "remove " + each->string()); !ok)
+        return ok;
     return {};
   }
   Result<void> Write(const fs::path& file, const std::string& text) {
@@ -94,7 +102,7 @@ class Application {
     return Write(data_ / kKeeping / kShowBefore, store::ReadChoice(data_ / "shows").current);
   }
   // What was taken away before the power went stays taken away.
-  Result<void> TakeAway(const std::string& path) {
+  Result<void> MoveAway(const std::string& path) {
     const fs::path kept = data_ / kKeeping / kFiles / path;
     if (!IsThere(data_ / path) || IsThere(kept)) return {};
     if (auto ok = MakeFolder(kept.parent_path()); !ok) return ok;
@@ -104,7 +112,7 @@ class Application {
   Result<void> Put(const std::string& path) {
     const fs::path waits = data_ / kNext / kFiles / path;
     if (!IsThere(waits)) return {};
-    if (auto ok = TakeAway(path); !ok) return ok;
+    if (auto ok = MoveAway(path); !ok) return ok;
     if (auto ok = MakeFolder((data_ / path).parent_path()); !ok) return ok;
     if (auto ok = Rename(waits, data_ / path); !ok) return ok;
     GiveToFolder(data_ / path);
@@ -152,7 +160,8 @@ Result<bool> FinishRestore(const fs::path& data, const BeforeChange& before) {
     const auto text = ReadFile(data / kNext / kPlan, {.most_bytes = kMostPlan_bytes});
     if (!text) return tl::unexpected(text.error());
     const auto plan = ParsePlan(*text);
-    if (!plan) return FailInput("the restore that waits has a damaged plan; take it again", std::errc::bad_message);
+    if (!plan)
+      return FailInput("the restore that waits has a damaged plan; take it again", std::errc::bad_message);
     if (auto ok = application.Do(*plan); !ok) return tl::unexpected(ok.error());
   }
   if (auto ok = application.Close(); !ok) return tl::unexpected(ok.error());

@@ -43,6 +43,7 @@ Result<void> AddFiles(const fs::path& data, std::string_view folder, const Belon
 
 }  // namespace
 
+// A list of what belongs, and not of what does not: a file that a later version keeps is left alone by this one.
 bool IsRestored(std::string_view path) {
   return path == kSettings || path == kLips || IsIn(path, kKeys, ".pub") || IsIn(path, kOwn, ".toml");
 }
@@ -53,13 +54,15 @@ bool IsPack(std::string_view path) {
          store::IsId(path.substr(kShows.size(), path.size() - kShows.size() - kEnd.size()));
 }
 
+// Whatever the stage calls its files.
 bool IsReport(std::string_view path) {
   return IsIn(path, kReports, "");
 }
 
 Result<std::vector<std::string>> RestoredPaths(const fs::path& data) {
   std::vector<std::string> paths;
-  for (const std::string_view folder : {std::string_view("lips/"), kOwn, std::string_view("settings/"), kKeys})
+  for (const std::string_view folder :
+       {std::string_view("lips/"), kOwn, std::string_view("settings/"), kKeys})
     if (auto ok = AddFiles(data, folder, IsRestored, paths); !ok) return tl::unexpected(ok.error());
   return paths;
 }

@@ -27,6 +27,7 @@ bool AddLine(std::string_view line, Plan& plan) {
 
 }  // namespace
 
+// One line for each path, so that a person can read what a box that does not start was about to do.
 std::string Format(const Plan& plan) {
   std::string text(kHead);
   if (!plan.show.empty()) text += std::string(kShow) + plan.show + "\n";

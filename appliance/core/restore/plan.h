@@ -2,6 +2,7 @@
 //
 // A data partition has, of restores:
 //   restore/incoming   what is copied from a stick; of no meaning after a power cut
+//   restore/dropped    a restore that was confirmed and gave way to a later one; of no meaning
 //   restore/next       a restore that was confirmed: `plan`, and below `files` what it puts. The next start does it
 //   restore/kept.new   what the start that does it has taken away so far
 //   restore/kept       what the last restore took away, in the form of `next`: given that name, it is put back
@@ -15,6 +16,7 @@
 namespace kaori::restore {
 
 inline constexpr const char* kIncoming = "restore/incoming";
+inline constexpr const char* kDropped = "restore/dropped";
 inline constexpr const char* kNext = "restore/next";
 inline constexpr const char* kKeeping = "restore/kept.new";
 inline constexpr const char* kKept = "restore/kept";
@@ -22,9 +24,12 @@ inline constexpr const char* kPlan = "plan";
 inline constexpr const char* kFiles = "files";
 
 struct Plan {
-  std::string show;                  // Is chosen then: an id or store::kRootShow; empty: the choice stays.
-  std::vector<std::string> put;      // Paths that are put, and
-  std::vector<std::string> removed;  // that are taken away; each of them IsRestored or IsPack.
+  // Is chosen then: an id or store::kRootShow; empty: the choice stays.
+  std::string show;
+  // Paths that are put, and
+  std::vector<std::string> put;
+  // that are taken away; each of them IsRestored or IsPack.
+  std::vector<std::string> removed;
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 

@@ -4,7 +4,6 @@
 // Nothing stops it: a box that cannot show a splash starts all the same, and a moment later the stage says
 // what is wrong. What it has to say itself goes to the kernel's log.
 #include <fcntl.h>
-#include <poll.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/mount.h>
@@ -25,7 +24,9 @@
 #include "appliance/programs/boot/data_partition.h"
 #include "appliance/programs/boot/known_shaders.h"
 #include "appliance/programs/boot/machine_id.h"
+#include "appliance/programs/boot/network.h"
 #include "appliance/programs/boot/pc_faults.h"
+#include "appliance/programs/boot/pipe.h"
 #include "appliance/programs/boot/profile.h"
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
@@ -80,26 +81,6 @@ std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX)
   return {static_cast<const std::uint8_t*>(at), bytes};
 }
 
-// Two ends by which one process tells another that it has come so far: it closes `write_end`. A process that
-// dies closes its ends too, so that nobody waits for it.
-struct Pipe {
-  UniqueFd read_end, write_end;
-};
-
-// Closed on exec, so that systemd inherits neither end.
-std::optional<Pipe> MakePipe() {
-  std::array<int, 2> ends{-1, -1};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
-  return Pipe{UniqueFd(ends[0]), UniqueFd(ends[1])};
-}
-
-// Returns when the other end is closed, or after `longest_ms`: the start of the box waits for nothing without
-// a limit.
-void AwaitClose(const UniqueFd& read_end, int longest_ms) {
-  pollfd closed{.fd = read_end.get(), .events = POLLIN, .revents = 0};
-  ::poll(&closed, 1, longest_ms);
-}
-
 // Returns once the stage shows its own pictures: before, the screens would go dark with this program.
 void AwaitStage(const kaori::boot::Card& card, const std::vector<kaori::boot::Splash>& shown) {
   for (int checks = 0; checks < kMostChecks && card.IsShown(shown); ++checks) ::usleep(kCheckPeriod_us);
@@ -117,7 +98,7 @@ std::optional<kaori::boot::Still> ChooseStill() {
 
 // `mounted` is closed when the data partition is there; `done` is closed when the card is free for the stage.
 void ShowSplash(const UniqueFd& mounted, UniqueFd done) {
-  AwaitClose(mounted, kLongestMount_ms);
+  kaori::boot::AwaitClose(mounted, kLongestMount_ms);
   const auto still = ChooseStill();
   if (!still) return;
   const kaori::boot::Card card(kCard);
@@ -208,6 +189,13 @@ void WriteSetting(const std::string& name, std::string_view text) {
     Report(written.error().message());
 }
 
+// `network` lies there where the box has an address, and lets systemd start the desk with the service key.
+void JoinNetwork(const kaori::boot::NetworkAddress& address) {
+  const auto joined = kaori::boot::JoinNetwork(address, "/sys/class/net", "/run/systemd/system");
+  if (!joined) return Report("the box has no network: " + joined.error().message());
+  WriteSetting("network", NetworkOf(address) + "\n");
+}
+
 // Leaves in a folder that is there before everything else: for udev's rules a file that is named after the
 // profile, for kaori-input which lines are what, for kaori-stage its time zone and which screens are
 // the technicians' and the operators', and what the status says. Returns the name that the settings give the box, or nothing.
@@ -226,6 +214,7 @@ std::string ApplySettings() {
   const std::string command_line = kaori::ReadFile("/proc/cmdline").value_or("");
   WriteSetting("root_hash", kaori::boot::RootHashOf(command_line));
   WriteSetting("slot", kaori::boot::SlotOf(command_line));
+  if (profile.network) JoinNetwork(*profile.network);
   WriteSetting("faults", g_faults);
   if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
   return profile.box_name;
@@ -260,8 +249,8 @@ void ApplyIdentity(const std::string& wanted_name) {
 
 // Everything before systemd. The splash has a process of its own, so that a slow card holds nothing up.
 void Boot() {
-  auto mounted = MakePipe();
-  auto done = MakePipe();
+  auto mounted = kaori::boot::MakePipe();
+  auto done = kaori::boot::MakePipe();
   if (!mounted || !done) return;
   const pid_t child = ::fork();
   if (child == 0) {
@@ -282,7 +271,7 @@ void Boot() {
   if (keeps) ApplyIdentity(wanted_name);
   if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder))
     Report("Mesa cannot be told which shaders it has");
-  if (child > 0) AwaitClose(done->read_end, kLongestSplash_ms);
+  if (child > 0) kaori::boot::AwaitClose(done->read_end, kLongestSplash_ms);
   StartReadingAhead();
 }
 

@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> kNames{"stage", "kiosk", "bench"};
 constexpr std::string_view kBlank = " \t\r";
 // Far more than a person writes; process 1 reads nothing without a bound.
 constexpr std::size_t kMostProfile_bytes = 1 << 16;
@@ -43,7 +42,7 @@ bool IsQuoted(std::string_view value) {
 std::string ParseProfileName(std::string_view value, std::string& name) {
   if (!IsQuoted(value)) return "expected a value in quotes";
   const auto wanted = value.substr(1, value.size() - 2);
-  if (std::ranges::find(kNames, wanted) == kNames.end())
+  if (std::ranges::find(kProfileNames, wanted) == kProfileNames.end())
     return "there is no profile " + std::string(value) + ": stage, kiosk or bench";
   name = wanted;
   return {};
@@ -129,7 +128,7 @@ class Reading {
   void Parse(std::string_view line) {
     ++number_;
     if (line.starts_with('[')) section_ = line;
-    const bool ours = section_.empty() || section_ == kLines || section_ == kClock;
+    const bool ours = section_.empty() || section_ == kLines || section_ == kClock || section_ == kNetwork;
     if (line.empty() || line.starts_with('[') || !ours) return;
     if (const auto wrong = ParseSetting(line); !wrong.empty()) Blame(wrong);
     if (section_ == kLines) wired_at_ = number_;
@@ -146,9 +145,9 @@ class Reading {
   }
 
  private:
-  static constexpr std::string_view kLines = "[lines]", kClock = "[clock]";
+  static constexpr std::string_view kLines = "[lines]", kClock = "[clock]", kNetwork = "[network]";
 
-  // A setting of the top, of [clock], or a wire of [lines]; gives what is wrong with it.
+  // A setting of the top, of [clock], of [network], or a wire of [lines]; gives what is wrong with it.
   std::string ParseSetting(std::string_view line) {
     const auto equals = line.find('=');
     if (equals == std::string_view::npos) return "expected a name, = and a value";
@@ -158,6 +157,7 @@ class Reading {
     if (section_ == kClock)
       return key == "zone" ? ParseZone(value, profile_.zone)
                            : "there is no setting " + std::string(key) + " of [clock]";
+    if (section_ == kNetwork) return ParseNetwork(key, value, profile_.network);
     if (key == "profile") return ParseProfileName(value, profile_.name);
     if (key == "name") return ParseBoxName(value, profile_.box_name);
     if (key == "status_screen") return ParseScreen(value, profile_.status_screen);

@@ -1,13 +1,18 @@
 // What the box is for tonight, as its settings file says: which devices it lets in, and what its lines are.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "appliance/programs/boot/network.h"
 #include "appliance/programs/boot/wiring.h"
 
 namespace kaori::boot {
+
+inline constexpr std::array<std::string_view, 3> kProfileNames{"stage", "kiosk", "bench"};
 
 // The settings file is TOML that people write. Before its first [section] it may say:
 //   profile = "stage"   operators' devices, cameras and sound; what is plugged in for anything else stays
@@ -23,18 +28,28 @@ namespace kaori::boot {
 //   dial_box_counts = 200   counts of one turn of its dials, 1 to 2^20
 // in the section [lines] what ParseWire takes, and in [clock]
 //   zone = "Asia/Tokyo"   the time zone of the house, by its name in the tz database; UTC without it
+// and in [network]
+//   address = "10.101.90.20/24"   the box's address in a network; without it the box has none
 // Other sections are others' business.
 struct Profile {
-  // "stage", "kiosk" or "bench".
+  // One of kProfileNames.
   std::string name = "stage";
-  std::string box_name{};  // Empty: none was given.
+  // Empty: none was given.
+  std::string box_name{};
   // As the section [lines] says, over the box's default.
   Wiring wiring{};
-  std::string status_screen{}, monitor_screen{};  // Empty: none.
-  std::string dial_box{};                         // A line and its kind of box; empty: none.
-  int dial_box_counts = 0;                        // Of one turn; 0: as kaori-input has it.
-  std::string zone{};                             // Empty: UTC.
-  std::string fault{};                            // One line that names file and line; empty: none.
+  // Empty: none.
+  std::string status_screen{}, monitor_screen{};
+  // A line and its kind of box; empty: none.
+  std::string dial_box{};
+  // Of one turn; 0: as kaori-input has it.
+  int dial_box_counts = 0;
+  // Empty: UTC.
+  std::string zone{};
+  // Nothing: none.
+  std::optional<NetworkAddress> network{};
+  // One line that names file and line; empty: none.
+  std::string fault{};
 };
 
 // Reads the words of a settings file. With a fault all else is the usual. Pure. The fault says "line N:

@@ -35,7 +35,8 @@ struct DeskOptions {
   std::uint16_t port = 8443;
   web::Reach reach = web::Reach::kNetwork;
   std::optional<web::Certificate> certificate{};
-  std::uint32_t fingerprint = 0;  // The fingerprint of the certificate; see OwnCertificate.
+  // The fingerprint of the certificate; see OwnCertificate.
+  std::uint32_t fingerprint = 0;
 };
 
 // Every visitor gets the page; only one who typed the code on the box's screen sees pictures or changes
@@ -97,7 +98,8 @@ class Desk {
   // The view that is being encoded; reused from picture to picture.
   std::vector<std::uint8_t> composed_;
   std::array<web::PictureFeed, kViewCount> pictures_;
-  std::array<std::uint32_t, kViewCount> sent_{};  // The number of the picture that each feed sent last.
+  // The number of the picture that each feed sent last.
+  std::array<std::uint32_t, kViewCount> sent_{};
   web::Feed states_;
   // The state that was sent last, when, and when the code was written last.
   std::string state_;

@@ -34,6 +34,7 @@ constexpr std::string_view kHelp =
   --board FILE         the board, shared with the other programs
   --port PORT          the port of the page (8443); 0 uses any free one
   --data FOLDER        the folder of the certificate (/var/lib/kaori if it exists, else $XDG_STATE_HOME/kaori)
+  --open FILE          is there while the service key is on; the desk ends when it is gone (it serves until it is stopped)
   --plain              serve HTTP instead of HTTPS, for tests
   --local              serve this machine only, for tests
   --address-file FILE  write the page's address to this file
@@ -43,7 +44,7 @@ constexpr std::string_view kHelp =
 constexpr kaori::Duration kTick = 20ms;
 
 struct Settings {
-  std::string board = "/dev/shm/kaori-board", port = "8443", data, address_file;
+  std::string board = "/dev/shm/kaori-board", port = "8443", data, address_file, open;
   bool service = false, plain = false, local = false;
 };
 
@@ -84,6 +85,12 @@ kaori::Result<void> AnnounceAddress(const std::string& file, const std::string& 
   return kaori::WriteWholeFile(file, {kaori::AsBytes(address + "\n")});
 }
 
+// The key's file lies in memory, so that asking for it at each step costs nothing.
+bool KeyIsOff(const Settings& settings) {
+  std::error_code none;
+  return !settings.open.empty() && !std::filesystem::exists(settings.open, none);
+}
+
 // READY=1 is told, and the address written, only when the port is open: a test that finds the file can
 // connect.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
@@ -97,8 +104,11 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   if (auto told = AnnounceAddress(settings.address_file, (*desk)->address()); !told)
     return kaori::ExitWithError(told.error());
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
-  if (auto ok = loop.RunEvery(kTick, [&desk] { (*desk)->Step(); }); !ok)
-    return kaori::ExitWithError(ok.error());
+  const auto step = [&] {
+    if (KeyIsOff(settings)) return loop.Stop();
+    (*desk)->Step();
+  };
+  if (auto ok = loop.RunEvery(kTick, step); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }
 
@@ -110,6 +120,7 @@ int main(int argc, char** argv) {
   kaori::Options options(kHelp);
   options.Text("--board", settings.board).Text("--port", settings.port).Text("--data", settings.data);
   options.Text("--address-file", settings.address_file)
+      .Text("--open", settings.open)
       .Switch("--service", settings.service)
       .Switch("--plain", settings.plain)
       .Switch("--local", settings.local);

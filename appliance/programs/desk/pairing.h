@@ -47,7 +47,8 @@ class Pairing {
   bool shown() const;
   // The code, 0 .. 999999; people see it with leading zeros.
   std::uint32_t code() const { return code_; }
-  Duration valid() const;  // How much longer the code is valid.
+  // How much longer the code is valid.
+  Duration valid() const;
 
  private:
   // A visitor who is authorised, until that time.
@@ -67,7 +68,8 @@ class Pairing {
   std::uint32_t code_ = 0;
   Time code_until_{};
   Time shown_until_{};
-  std::vector<Time> wrong_;  // The times of wrong codes within the last minute.
+  // The times of wrong codes within the last minute.
+  std::vector<Time> wrong_;
   std::vector<Session> sessions_;
   // What Step has to report: a new code, or whether it is shown.
   bool changed_ = true;

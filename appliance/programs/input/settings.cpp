@@ -126,8 +126,14 @@ Result<InputSettings> Interpret(const std::string& path, const toml::Value& file
   return settings;
 }
 
-// Of a box's settings those that are kaori-input's.
-Result<InputSettings> InterpretBox(const std::string& text, const std::string& path) {
+}  // namespace
+
+// The file is read once, when the program starts.
+Result<InputSettings> ReadSettings(const std::string& path) {
+  return toml::ReadToml(path).and_then([&](const toml::Value& file) { return Interpret(path, file); });
+}
+
+Result<InputSettings> ParseBoxSettings(const std::string& text, const std::string& path) {
   auto file = toml::Parse(text, path);
   if (!file) return tl::unexpected(file.error());
   constexpr std::array<std::string_view, 4> kOurs{"dials", "keyboard", "pointer", "stick"};
@@ -136,19 +142,12 @@ Result<InputSettings> InterpretBox(const std::string& text, const std::string& p
   return Interpret(path, *file);
 }
 
-}  // namespace
-
-// The file is read once, when the program starts.
-Result<InputSettings> ReadSettings(const std::string& path) {
-  return toml::ReadToml(path).and_then([&](const toml::Value& file) { return Interpret(path, file); });
-}
-
 // A good file is copied only where it differs from the copy: no start without a change writes anything.
 BoxSettings ReadBoxSettings(const std::string& file, const std::string& last_good) {
   const auto text = ReadFile(file);
   if (!text && text.error().cause == std::errc::no_such_file_or_directory) return {};
   const auto settings =
-      text ? InterpretBox(*text, file) : Result<InputSettings>(tl::unexpected(text.error()));
+      text ? ParseBoxSettings(*text, file) : Result<InputSettings>(tl::unexpected(text.error()));
   const auto before = ReadFile(last_good);
   if (settings) {
     // Where this fails the box only has no last good settings next time.
@@ -156,7 +155,7 @@ BoxSettings ReadBoxSettings(const std::string& file, const std::string& last_goo
     return {*settings, {}};
   }
   if (before)
-    if (const auto kept = InterpretBox(*before, last_good))
+    if (const auto kept = ParseBoxSettings(*before, last_good))
       return {*kept, settings.error().message() + "; the last good settings count"};
   return {InputSettings{}, settings.error().message() + "; the usual settings count"};
 }

@@ -16,13 +16,18 @@ inline constexpr int kMostCountsOfATurn = 1 << 20;
 // Ports are names as the bus gives them ("1-4.1" of USB: bus, then the socket of each hub on the way), and
 // stay the same over restarts of the box. A slot with a named port takes a device at that port and no other.
 struct InputSettings {
-  int counts_per_turn = 256;  // Counts of one turn of a dial.
-  std::string dial_box_port;  // Empty: the first dial box that is found has the slot.
-  std::string keyboard_port;  // Empty: the first keyboard.
-  std::string pointer_port;   // Empty: the first mouse or tablet.
+  // Counts of one turn of a dial.
+  int counts_per_turn = 256;
+  // Empty: the first dial box that is found has the slot.
+  std::string dial_box_port;
+  // Empty: the first keyboard.
+  std::string keyboard_port;
+  // Empty: the first mouse or tablet.
+  std::string pointer_port;
   // How many counts of a mouse are the width and the height of the picture.
   decode::PointerSettings pointer;
-  std::array<std::string, kSticks> stick_ports;  // Left, right; empty: see StickRoles.
+  // Left, right; empty: see StickRoles.
+  std::array<std::string, kSticks> stick_ports;
   // Left, right: dead zone, reach and curve, as parts of the way from the middle to the end.
   std::array<decode::StickSettings, kSticks> sticks;
   // The button, counted from 1, that is pushed while nobody touches the stick: where it rests is its centre.
@@ -44,10 +49,15 @@ struct InputSettings {
 // curve are as decode::StickSettings says. Blocks for the disk.
 Result<InputSettings> ReadSettings(const std::string& path);
 
+// Of the text of a box's settings (box.toml) those sections; others are other programs' business. `path` is what errors call
+// it. Errors: invalid_argument, as ReadSettings. Pure.
+Result<InputSettings> ParseBoxSettings(const std::string& text, const std::string& path);
+
 // The settings of a box, and what is wrong with its file.
 struct BoxSettings {
   InputSettings settings;
-  std::string fault{};  // One line that names file, line and what counts instead; empty: nothing is wrong.
+  // One line that names file, line and what counts instead; empty: nothing is wrong.
+  std::string fault{};
 };
 
 // Reads the sections above from a box's settings (box.toml); other sections are other programs' business. A

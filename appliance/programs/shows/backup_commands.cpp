@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "appliance/core/restore/apply.h"
+
 namespace kaori::shows {
 namespace {
 
@@ -17,6 +19,7 @@ int Report(const Progress& progress, const std::string& name) {
 
 }  // namespace
 
+// Nothing plays on a computer that has a box's disk: all steps at once.
 int WriteBackup(const CopyPlaces& places, const std::filesystem::path& folder) {
   BoxCopies copies(places, {});
   Progress progress = copies.Begin({.kind = Choosable::Kind::kBackup, .offer = {}, .remark = {}}, folder, {});
@@ -24,7 +27,9 @@ int WriteBackup(const CopyPlaces& places, const std::filesystem::path& folder) {
   return Report(progress, copies.name());
 }
 
-int RestoreBackup(RestoreTerms terms, const std::filesystem::path& file, bool only_says) {
+// The differences are listed in each case, before anything is said of what was done.
+int RestoreBackup(RestoreTerms terms, const std::filesystem::path& file, RestoreWhen when) {
+  const std::filesystem::path data = terms.data;
   const std::string name = file.filename().string();
   auto input = backup::OpenInput(file);
   if (!input) return Report({BackupMessageOf(input.error()), input.error().message()}, name);
@@ -32,8 +37,12 @@ int RestoreBackup(RestoreTerms terms, const std::filesystem::path& file, bool on
   while (!restoration.ended()) restoration.Step();
   const int status = Report(restoration.progress(), name);
   for (const std::string& line : restoration.Differences()) std::printf("  %s\n", line.c_str());
-  if (only_says || restoration.progress().message != Message::kAskRestore) return status;
-  return Report(restoration.Confirm(), name);
+  if (when == RestoreWhen::kNever || restoration.progress().message != Message::kAskChange) return status;
+  const Progress waits = restoration.Confirm();
+  if (when == RestoreWhen::kNextStart || waits.message != Message::kRestoreWaits) return Report(waits, name);
+  const auto done = restore::FinishRestore(data);
+  return done ? Report({Message::kRestored}, name)
+              : Report({Message::kDiskFault, done.error().message()}, name);
 }
 
 }  // namespace kaori::shows

@@ -36,6 +36,7 @@ BoxCopies::~BoxCopies() {
   if (writer_) static_cast<void>(EndBackup(Fail(std::errc::operation_canceled, "write the backup")));
 }
 
+// The way back is there without a stick too.
 std::vector<Choosable> BoxCopies::Offers(bool has_stick) const {
   std::vector<Choosable> offers;
   const auto offer = [&](Choosable::Kind kind, const char* name) {
@@ -47,8 +48,9 @@ std::vector<Choosable> BoxCopies::Offers(bool has_stick) const {
 }
 
 std::vector<Choosable> BoxCopies::Answers() {
-  return {{.kind = Choosable::Kind::kNo, .offer = {.file = {}, .name = "leave the box as it is"}, .remark = {}},
-          {.kind = Choosable::Kind::kYes, .offer = {.file = {}, .name = "yes, restore this"}, .remark = {}}};
+  return {
+      {.kind = Choosable::Kind::kNo, .offer = {.file = {}, .name = "leave the box as it is"}, .remark = {}},
+      {.kind = Choosable::Kind::kYes, .offer = {.file = {}, .name = "yes, restore this"}, .remark = {}}};
 }
 
 std::vector<std::string> BoxCopies::Differences() const {
@@ -61,6 +63,7 @@ std::vector<std::string> BoxCopies::Differences() const {
   return lines;
 }
 
+// What was asked before is over: whoever takes something else has not agreed to it.
 Progress BoxCopies::Begin(const Choosable& taken, const std::filesystem::path& stick, show::PublicKeys keys) {
   restoration_.reset();
   name_ = taken.kind == Choosable::Kind::kRestore ? taken.offer.name : "";
@@ -75,6 +78,7 @@ Progress BoxCopies::Begin(const Choosable& taken, const std::filesystem::path& s
   return restoration_->progress();
 }
 
+// Two backups within a second would have one name: the second is refused, since a file that is there is never replaced.
 Progress BoxCopies::BeginBackup(const std::filesystem::path& stick) {
   const std::string box = places_.name();
   const std::time_t wall = places_.wall();

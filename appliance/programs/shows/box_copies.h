@@ -15,11 +15,16 @@
 
 namespace kaori::shows {
 
+// What a backup is of, and what is asked of the box meanwhile. The functions are called by the thread of BoxCopies.
 struct CopyPlaces {
-  std::filesystem::path data;            // Of the box: /var/lib/kaori.
-  std::function<std::string()> name;     // Of the box, as a part of a file's name.
-  std::function<std::time_t()> wall;     // The box's clock, which may be wrong.
-  std::function<Result<void>(bool)> set_writable;  // Of the stick, while a backup is written.
+  // Of the box: /var/lib/kaori.
+  std::filesystem::path data;
+  // Of the box, as a part of a file's name.
+  std::function<std::string()> name;
+  // The box's clock, which may be wrong.
+  std::function<std::time_t()> wall;
+  // Of the stick, while a backup is written.
+  std::function<Result<void>(bool)> set_writable;
 };
 
 // "left-lobby-1a2b3c4d-20261123-221005.kaorishow". Pure but for the time zone.
@@ -29,6 +34,7 @@ std::string BackupFileName(const std::string& box, std::time_t wall);
 class BoxCopies {
  public:
   BoxCopies(CopyPlaces places, Trial trial);
+  // A backup that is half written is taken off the stick, and a restore that nobody has confirmed leaves nothing.
   ~BoxCopies();
 
   // Lines of the list, besides the backups that lie on a stick (offers.h).
@@ -44,13 +50,16 @@ class BoxCopies {
   const std::string& name() const { return name_; }
 
   // A backup is on the box and waits for an answer; the list is then that of the answers, with the differences below it.
-  bool asks() const { return restoration_ && restoration_->progress().message == Message::kAskRestore; }
+  bool asks() const { return restoration_ && restoration_->progress().message == Message::kAskChange; }
+  // No comes first, since GO takes the first line.
   static std::vector<Choosable> Answers();
+  // As Restoration has them; of more than a small screen has lines for, the rest is counted.
   std::vector<std::string> Differences() const;
-  // Ends the question.
+  // Ends the question: kRestoreWaits, kLeft, or a refusal.
   Progress Answer(bool yes);
 
  private:
+  // EndBackup makes the stick one that cannot be written again, however the backup ended.
   Progress BeginBackup(const std::filesystem::path& stick);
   Progress StepBackup();
   Progress EndBackup(const Result<void>& written);

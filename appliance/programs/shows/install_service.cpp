@@ -26,14 +26,14 @@ std::string KeyName(const show::PublicKey& key) {
 }  // namespace
 
 InstallService::InstallService(ServicePlaces places, Folder& folder, const board::Board& board,
-                               LookForStick look, Trial trial, MakeSupportFile support, BoxCopies* copies)
+                               LookForStick look, Trial trial, MakeSupportFile support, OfBox of_box)
     : places_(std::move(places)),
       folder_(folder),
       board_(board),
       look_(std::move(look)),
       trial_(std::move(trial)),
       support_(std::move(support)),
-      copies_(copies) {
+      of_box_(of_box) {
   RemoveLeftovers(folder_);
   auto on_board = board.AcquireWriter<board::ShowsMenu>();
   if (on_board)
@@ -72,7 +72,7 @@ void InstallService::Step(Time now) {
     WriteSupport();
   } else if (installation_) {
     StepInstallation();
-  } else if (copies_ != nullptr && copies_->busy()) {
+  } else if (of_box_.copies != nullptr && of_box_.copies->busy()) {
     StepCopies(now);
   } else if (IsBusyElsewhere(now)) {
     menu_.Shut();
@@ -108,7 +108,7 @@ void InstallService::Look(Time now) {
   FollowChosen();
   if (!std::exchange(has_looked_, true)) OfferBefore();
   auto looked = look_();
-  const bool is_busy = installation_ || (copies_ != nullptr && copies_->busy());
+  const bool is_busy = installation_ || (of_box_.copies != nullptr && of_box_.copies->busy());
   if (!looked && !is_busy) TellOfStick(Message::kUnreadable, looked.error().message());
   auto stick = looked.value_or(std::nullopt);
   const bool is_another = stick != stick_, is_out = looked && !stick;
@@ -174,6 +174,7 @@ void InstallService::Accept(const Choosable& taken) {
   if (taken.kind == Choosable::Kind::kShow) return Install(taken);
   if (taken.kind == Choosable::Kind::kKey) return AcceptKey(taken);
   if (taken.kind == Choosable::Kind::kBack) return GoBack(taken);
+  if (of_box_.settings != nullptr && IsOfSettings(taken)) return AcceptSettings(taken);
   if (taken.kind != Choosable::Kind::kSupport) return AcceptCopy(taken);
   writes_support_ = true;
   Tell(Message::kWriting);

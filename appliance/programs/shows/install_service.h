@@ -10,6 +10,7 @@
 
 #include "appliance/core/board/board.h"
 #include "appliance/programs/shows/box_copies.h"
+#include "appliance/programs/shows/box_settings.h"
 #include "appliance/programs/shows/installation.h"
 #include "appliance/programs/shows/menu.h"
 #include "drivers/base/clock.h"
@@ -39,13 +40,20 @@ using LookForStick = std::function<Result<std::optional<std::filesystem::path>>(
 // support_file.h.
 using MakeSupportFile = std::function<Result<std::string>(const std::filesystem::path& stick)>;
 
+// What of the box itself can be taken to a stick and brought from one; where one is null it is not offered. They outlive the
+// service.
+struct OfBox {
+  BoxCopies* copies = nullptr;
+  BoxSettings* settings = nullptr;
+};
+
 // One thread; folder and board must outlive it. While another program has the board's section `shows_menu`
 // the show hears what is pressed in the list.
 class InstallService {
  public:
-  // Without `support` no such file is offered, without `copies`, which must outlive it, no backup.
+  // Without `support` no such file is offered.
   InstallService(ServicePlaces places, Folder& folder, const board::Board& board, LookForStick look,
-                 Trial trial, MakeSupportFile support = {}, BoxCopies* copies = nullptr);
+                 Trial trial, MakeSupportFile support = {}, OfBox of_box = {});
   ~InstallService();
   InstallService(const InstallService&) = delete;
   InstallService& operator=(const InstallService&) = delete;
@@ -89,6 +97,10 @@ class InstallService {
   // Something of BoxCopies was taken, or what it asks is answered.
   void AcceptCopy(const Choosable& taken);
   void StepCopies(Time now);
+  // Something of BoxSettings was taken, or what it asks is answered.
+  bool IsOfSettings(const Choosable& taken) const;
+  void AcceptSettings(const Choosable& taken);
+  // Nobody can answer any more: another stick is in, or none.
   void DropQuestion();
   // At the step after the one that said that it begins.
   void WriteSupport();
@@ -114,7 +126,7 @@ class InstallService {
   LookForStick look_;
   Trial trial_;
   MakeSupportFile support_;
-  BoxCopies* copies_;
+  OfBox of_box_;
   std::optional<std::filesystem::path> stick_;
   Time look_next_{};
   Menu menu_;

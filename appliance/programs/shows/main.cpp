@@ -52,6 +52,7 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --backup FOLDER    instead: writes a backup of the box into this folder, says its name, and ends
   --diff FILE        instead: says what a restore of this backup would change, and ends
   --restore FILE     instead: says that, and leaves the restore to the box's next start
+  --at-once          does it now, where the box's disk is in this computer
   --with-name        the box takes the backup's name, too, where it would keep its own
 )";
 
@@ -61,7 +62,7 @@ struct Settings {
               trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
               report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
               journal, install, support, backup, diff, restore;
-  bool plugged = false, with_name = false;
+  bool plugged = false, with_name = false, at_once = false;
 };
 
 kaori::shows::Trial TrialBy(const Settings& settings, const kaori::shows::TrialTerms& terms = {}) {
@@ -165,12 +166,16 @@ int Restore(const Settings& settings) {
   const std::vector<fs::path> places{settings.root_keys, settings.keys};
   auto keys = kaori::show::ReadPublicKeys(places);
   if (!keys) return kaori::ExitWithError(keys.error());
+  using kaori::shows::RestoreWhen;
   const bool only_says = settings.restore.empty();
+  const auto when = only_says          ? RestoreWhen::kNever
+                    : settings.at_once ? RestoreWhen::kAtOnce
+                                       : RestoreWhen::kNextStart;
   return kaori::shows::RestoreBackup({.data = fs::path(settings.shows).parent_path(),
                                       .keys = std::move(*keys),
                                       .trial = TrialBy(settings),
                                       .with_name = settings.with_name},
-                                     only_says ? settings.diff : settings.restore, only_says);
+                                     only_says ? settings.diff : settings.restore, when);
 }
 
 // Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for
@@ -207,8 +212,10 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   };
   const auto trial = TrialBy(settings, {.wanted = wanted, .user = *user});
   kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), trial);
+  kaori::shows::BoxSettings box_settings({.data = fs::path(settings.shows).parent_path(),
+                                          .screens = fs::path(settings.board).parent_path() / "screens"});
   kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
-                                       *board, look, trial, support, &copies);
+                                       *board, look, trial, support, {&copies, &box_settings});
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();
@@ -246,6 +253,7 @@ int main(int argc, char** argv) {
   options.Text("--backup", settings.backup)
       .Text("--diff", settings.diff)
       .Text("--restore", settings.restore)
+      .Switch("--at-once", settings.at_once)
       .Switch("--with-name", settings.with_name);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (!settings.install.empty()) return Install(settings);

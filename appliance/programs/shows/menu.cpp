@@ -19,6 +19,13 @@ std::vector<std::uint32_t> Since(std::optional<std::uint32_t>& seen, const board
   return codes;
 }
 
+// In front of its name, for what comes from a stick and is no show.
+std::string KindOf(const Choosable& choice) {
+  if (choice.kind == Choosable::Kind::kKey) return "key ";
+  if (choice.kind == Choosable::Kind::kRestore) return "restore ";
+  return choice.kind == Choosable::Kind::kSettingsFile ? "settings " : "";
+}
+
 }  // namespace
 
 void Menu::Offer(std::vector<Choosable> choices, std::size_t left_out, std::vector<std::string> notes) {
@@ -91,10 +98,8 @@ std::vector<std::string> Menu::Lines(Message message, Language language, const s
   }
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const Choosable& choice = choices_[i];
-    const bool is_key = choice.kind == Choosable::Kind::kKey, is_backup = choice.kind == Choosable::Kind::kRestore;
-    const char* kind = is_key ? "key " : is_backup ? "restore " : "";
-    lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + kind + choice.offer.name +
-                    (choice.remark.empty() ? "" : "  " + choice.remark));
+    lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + KindOf(choice) +
+                    choice.offer.name + (choice.remark.empty() ? "" : "  " + choice.remark));
   }
   if (left_out_ > 0)
     lines.push_back("  and " + std::to_string(left_out_) +

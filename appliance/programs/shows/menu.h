@@ -16,7 +16,8 @@ namespace kaori::shows {
 
 // One thing that can be taken: a show, a key of somebody's whose shows the box shall play, a show that is on
 // the box already, a support file or a backup, which go the other way, a backup that is brought, what a restore
-// took away, and the two answers to what a restore asks.
+// took away, the list of settings, one of them, a value of it, settings of a file, those before the last change, and
+// the two answers to what a restore and other settings ask.
 struct Choosable {
   enum class Kind : std::uint8_t {
     kShow,
@@ -26,6 +27,11 @@ struct Choosable {
     kBackup,
     kRestore,
     kPutBack,
+    kSettings,
+    kSetting,
+    kValue,
+    kSettingsFile,
+    kSettingsBefore,
     kYes,
     kNo
   } kind = Kind::kShow;
@@ -34,7 +40,7 @@ struct Choosable {
   std::string remark;
   // Of a key: what is taken is what was shown, whatever the stick says later.
   show::PublicKey key{};
-  // Of a show that is on the box: as in store::Choice.
+  // Of a show that is on the box: as in store::Choice. Of a setting, and of a value: the setting's name.
   std::string id{};
 };
 

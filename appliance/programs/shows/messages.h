@@ -41,15 +41,22 @@ enum class Message : std::uint8_t {
   kBackedUp,
   // A backup is being copied from the stick and checked.
   kReadingBackup,
-  // What it would change is listed: is that wanted?
-  kAskRestore,
+  // What a restore or other settings would change is listed: is that wanted?
+  kAskChange,
   kNothingDiffers,
   // It is done at the next start.
   kRestoreWaits,
+  // It was done at once.
+  kRestored,
   // What the last restore took away comes back at the next start.
   kUndoWaits,
   // Somebody did not want it.
   kLeft,
+  // The settings of the box are listed, or what one of them may be.
+  kChooseSetting,
+  kChooseValue,
+  // They are written, and count from the next start on.
+  kSettingsWait,
   // Another kind of file.
   kNotAShow,
   // Its checksum or its signature does not fit.
@@ -89,8 +96,10 @@ enum class Message : std::uint8_t {
   kOutside,
   // The box's files changed while they were copied.
   kChanged,
+  // A settings file that the box would not start with as it is meant.
+  kFaultySettings,
 };
-inline constexpr std::size_t kMessageCount = 42;
+inline constexpr std::size_t kMessageCount = 47;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

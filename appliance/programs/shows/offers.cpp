@@ -39,13 +39,15 @@ std::vector<Choosable> WaysBack(const Folder& shows) {
 // Shows first, so that their numbers do not depend on the keys beside them; of many shows some have to give
 // their numbers to keys, without which they might not be trusted. A file that holds no key is not offered.
 Result<Offered> OffersOf(const std::filesystem::path& stick, const std::vector<Choosable>& below) {
-  const auto packs = ListShows(stick), backups = ListBackups(stick), keys = ListKeys(stick);
-  for (const auto* list : {&packs, &backups, &keys})
+  const auto packs = ListShows(stick), backups = ListBackups(stick), settings = ListSettings(stick),
+             keys = ListKeys(stick);
+  for (const auto* list : {&packs, &backups, &settings, &keys})
     if (!*list) return tl::unexpected(list->error());
   std::vector<Choosable> choices, of_keys;
   for (const auto& offer : *packs) choices.push_back({Choosable::Kind::kShow, offer, Megabytes(offer.bytes)});
   for (const auto& offer : *backups)
     choices.push_back({Choosable::Kind::kRestore, offer, Megabytes(offer.bytes)});
+  for (const auto& offer : *settings) choices.push_back({Choosable::Kind::kSettingsFile, offer, {}});
   for (const auto& offer : *keys)
     if (const auto key = show::ReadPublicKey(offer.file))
       of_keys.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});

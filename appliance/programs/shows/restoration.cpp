@@ -10,8 +10,8 @@
 #include <fmt/ranges.h>
 
 #include "appliance/core/restore/kept.h"
-#include "appliance/programs/shows/own_name.h"
 #include "appliance/programs/shows/restore_disk.h"
+#include "appliance/programs/shows/settings_line.h"
 #include "appliance/programs/shows/stick.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
@@ -59,6 +59,7 @@ Restoration::~Restoration() {
   static_cast<void>(RemoveFolder(terms_.data / restore::kIncoming));
 }
 
+// Outside of the folders that programs of the box read.
 fs::path Restoration::Staged(const std::string& path) const {
   return terms_.data / restore::kIncoming / restore::kFiles / path;
 }
@@ -71,8 +72,10 @@ void Restoration::Refuse(Message message, std::string detail) {
   stage_ = Stage::kEnded;
 }
 
+// A disk without room is the one of its errors that somebody at the box can do something about.
 void Restoration::RefuseDisk(const Error& error) {
-  Refuse(error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault, error.message());
+  Refuse(error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
+         error.message());
 }
 
 const Progress& Restoration::Step() {
@@ -122,6 +125,7 @@ Result<void> Restoration::Begin(const backup::Entry& entry) {
   return {};
 }
 
+// The pack's header holds its signature, and is no part of what that signs.
 Result<void> Restoration::Append(std::span<const std::uint8_t> bytes) {
   if (!file_.valid()) return {};
   if (writing_ == pack_) {
@@ -135,6 +139,7 @@ Result<void> Restoration::Append(std::span<const std::uint8_t> bytes) {
   return written;
 }
 
+// Dropped from memory, so that a large pack does not press out what plays.
 Result<void> Restoration::End(const backup::Entry&) {
   if (!file_.valid()) return {};
   is_disk_ = ::fsync(file_.get()) < 0;
@@ -175,7 +180,8 @@ std::optional<Message> Restoration::CheckSigner() const {
   std::vector<std::string> faults;
   const auto more = show::ReadPublicKeys(brought, &faults);
   if (more) keys.insert(keys.end(), more->begin(), more->end());
-  return std::ranges::find(keys, *seal->signer) == keys.end() ? std::optional(Message::kForeign) : std::nullopt;
+  return std::ranges::find(keys, *seal->signer) == keys.end() ? std::optional(Message::kForeign)
+                                                              : std::nullopt;
 }
 
 // The box's own pack goes on where it has the same bytes; one that the disk has spoilt is put anew.
@@ -186,7 +192,8 @@ void Restoration::LookForSame() {
   if (got && *got == piece.size()) return;
   box_pack_.reset();
   const auto& files = reader_->contents().files;
-  const auto entry = std::ranges::find(files, pack_, [](const backup::Entry& each) { return each.member.path; });
+  const auto entry =
+      std::ranges::find(files, pack_, [](const backup::Entry& each) { return each.member.path; });
   stage_ = Stage::kTry;
   if (!got || box_sum_.Finish() != entry->sha256) return;
   ::unlink(Staged(pack_).c_str());
@@ -204,7 +211,7 @@ void Restoration::Try() {
 Result<void> Restoration::KeepName() {
   const std::string path(restore::kSettings);
   const std::string brought = ContentOf(Staged(path)), own = ContentOf(terms_.data / path);
-  const std::string text = WithNameOf(brought, own);
+  const std::string text = WithLineOf(brought, own, "name");
   if (terms_.with_name || text == brought || (text.empty() && !IsThere(Staged(path)))) return {};
   if (auto ok = MakeFolders(Staged(path).parent_path()); !ok) return ok;
   return WriteWholeFile(Staged(path), {AsBytes(text)});
@@ -229,14 +236,23 @@ Result<void> Restoration::MakePlan() {
   return {};
 }
 
+// Whose shows would play is agreed to by what the key is, and not by its file's name.
+std::string Restoration::FingerprintOf(const std::string& path) const {
+  if (!path.ends_with(".pub") || !IsThere(Staged(path))) return {};
+  const auto key = show::ReadPublicKey(Staged(path));
+  return key ? "  " + show::Fingerprint(*key) : "  no key";
+}
+
+// Only what differs is asked about: a backup of the box as it is needs no restart.
 void Restoration::Compare() {
   if (auto ok = KeepName(); !ok) return RefuseDisk(ok.error());
   if (auto ok = MakePlan(); !ok) return RefuseDisk(ok.error());
   if (plan_ == restore::Plan()) return Refuse(Message::kNothingDiffers);
-  progress_.message = Message::kAskRestore;
+  progress_.message = Message::kAskChange;
   stage_ = Stage::kAsks;
 }
 
+// The show first, which everybody sees, then what is lost or changed, then what comes.
 std::vector<std::string> Restoration::Differences() const {
   std::vector<std::string> lines;
   if (!plan_.show.empty())
@@ -245,7 +261,8 @@ std::vector<std::string> Restoration::Differences() const {
   else if (!plan_.put.empty() && plan_.put.back() == pack_)
     lines.push_back("show " + ShortId(reader_->contents().show) + " anew");
   const auto add = [&](const char* word, const std::vector<std::string>& paths) {
-    for (const std::string& path : paths) lines.push_back(fmt::format("{:8}{}", word, Printable(path, 60)));
+    for (const std::string& path : paths)
+      lines.push_back(fmt::format("{:8}{}{}", word, Printable(path, 60), FingerprintOf(path)));
   };
   add("changed", changed_);
   add("gone", plan_.removed);
@@ -253,15 +270,11 @@ std::vector<std::string> Restoration::Differences() const {
   return lines;
 }
 
+// The plan last, when all that it names is there. LetWait brings both onto the disk before the name counts.
 Result<void> Restoration::Commit() {
   const fs::path incoming = terms_.data / restore::kIncoming;
-  if (IsThere(terms_.data / restore::kKeeping))
-    return Fail(std::errc::device_or_resource_busy, "restore, while another restore is half done");
   if (auto ok = WriteWholeFile(incoming / restore::kPlan, {AsBytes(Format(plan_))}); !ok) return ok;
-  if (auto ok = KeepDisk(terms_.data); !ok) return ok;
-  if (auto ok = RemoveFolder(terms_.data / restore::kNext); !ok) return ok;
-  if (auto ok = RenameOnDisk(incoming, terms_.data / restore::kNext); !ok) return ok;
-  return KeepDisk(terms_.data);
+  return LetWait(terms_.data, incoming);
 }
 
 const Progress& Restoration::Confirm() {

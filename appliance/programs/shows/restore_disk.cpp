@@ -14,6 +14,22 @@ namespace kaori::shows {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+Result<void> RenameOnDisk(const fs::path& from, const fs::path& to) {
+  if (std::rename(from.c_str(), to.c_str()) < 0) return FailErrno("rename " + from.string());
+  return {};
+}
+
+// Returns once all that was written to the folder's disk is on it.
+Result<void> KeepDisk(const fs::path& folder) {
+  const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!fd.valid() || ::syncfs(fd.get()) < 0) return FailErrno("write " + folder.string());
+  return {};
+}
+
+}  // namespace
+
 Result<void> RemoveFolder(const fs::path& folder) {
   std::error_code failed;
   fs::remove_all(folder, failed);
@@ -28,21 +44,24 @@ Result<void> MakeFolders(const fs::path& folder) {
   return {};
 }
 
-Result<void> KeepDisk(const fs::path& folder) {
-  const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!fd.valid() || ::syncfs(fd.get()) < 0) return FailErrno("write " + folder.string());
-  return {};
-}
-
-Result<void> RenameOnDisk(const fs::path& from, const fs::path& to) {
-  if (std::rename(from.c_str(), to.c_str()) < 0) return FailErrno("rename " + from.string());
-  return {};
-}
-
 Result<std::uint64_t> FreeBytesOf(const fs::path& folder) {
   struct statvfs status {};
   if (::statvfs(folder.c_str(), &status) < 0) return FailErrno("look at " + folder.string());
   return std::uint64_t{status.f_bavail} * status.f_frsize;
+}
+
+// What waited is renamed before it is removed: a plan whose files are half gone would do a half restore.
+Result<void> LetWait(const fs::path& data, const fs::path& from) {
+  const fs::path next = data / restore::kNext, dropped = data / restore::kDropped;
+  if (IsThere(data / restore::kKeeping))
+    return Fail(std::errc::device_or_resource_busy, "restore, while another restore is half done");
+  if (auto ok = RemoveFolder(dropped); !ok) return ok;
+  if (auto ok = KeepDisk(data); !ok) return ok;
+  if (IsThere(next))
+    if (auto ok = RenameOnDisk(next, dropped); !ok) return ok;
+  if (auto ok = RenameOnDisk(from, next); !ok) return ok;
+  if (auto ok = KeepDisk(data); !ok) return ok;
+  return RemoveFolder(dropped);
 }
 
 bool HasKept(const fs::path& data) {
@@ -51,11 +70,7 @@ bool HasKept(const fs::path& data) {
 
 Result<void> PutBack(const fs::path& data) {
   if (!HasKept(data)) return Fail(std::errc::no_such_file_or_directory, "put back what was there before");
-  if (IsThere(data / restore::kKeeping))
-    return Fail(std::errc::device_or_resource_busy, "put back, while a restore is half done");
-  if (auto ok = RemoveFolder(data / restore::kNext); !ok) return ok;
-  if (auto ok = RenameOnDisk(data / restore::kKept, data / restore::kNext); !ok) return ok;
-  return KeepDisk(data);
+  return LetWait(data, data / restore::kKept);
 }
 
 }  // namespace kaori::shows

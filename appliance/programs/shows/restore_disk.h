@@ -12,15 +12,15 @@ namespace kaori::shows {
 Result<void> RemoveFolder(const std::filesystem::path& folder);
 // With those above it. Errors: those of mkdir(2).
 Result<void> MakeFolders(const std::filesystem::path& folder);
-// Errors: those of rename(2).
-Result<void> RenameOnDisk(const std::filesystem::path& from, const std::filesystem::path& to);
-// Returns once all that was written to the folder's disk is on it. Errors: those of syncfs(2).
-Result<void> KeepDisk(const std::filesystem::path& folder);
 // Errors: those of statvfs(3).
 Result<std::uint64_t> FreeBytesOf(const std::filesystem::path& folder);
 
+// What `from` holds, a plan with its files, is done at the next start, in place of what waited until then: all of it or
+// nothing, wherever the power goes. Errors: device_or_resource_busy (a restore is half done); those of rename(2).
+Result<void> LetWait(const std::filesystem::path& data, const std::filesystem::path& from);
+
 // Makes what the last restore took away from the data partition come back at the next start. Errors:
-// no_such_file_or_directory (nothing was kept); device_or_resource_busy (a restore is half done); those of rename(2).
+// no_such_file_or_directory (nothing was kept); those of LetWait.
 Result<void> PutBack(const std::filesystem::path& data);
 
 // Whether PutBack has something.

@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "appliance/core/toml/quoted.h"
 #include "appliance/core/toml/value.h"
+#include "appliance/programs/shows/settings_check.h"
 #include "drivers/base/read_file.h"
 
 namespace kaori::shows {
 namespace {
 
-constexpr std::size_t kMostSettings_bytes = std::size_t{64} << 10U;
 constexpr std::size_t kLongestText = 200;  // Longer than any setting; a key or a certificate may be.
 
 // Parts of names under which people keep what nobody else is to know.
@@ -42,22 +44,33 @@ std::string InOneLine(const toml::Value& value) {
   }
 }
 
+// A name with its value, both as text.
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
 // Items of a list have their number in place of a name; tables within lists are looked through as all others.
-void Add(const std::string& name, const toml::Value& value, std::string& text) {
+void Add(const std::string& name, const toml::Value& value, bool with_secrets, Lines& lines) {
   if (value.kind == toml::Value::Kind::kTable) {
     for (const auto& [key, item] : value.table) {
       const std::string whole = name.empty() ? key : fmt::format("{}.{}", name, key);
-      if (IsSecret(key))
-        text += whole + " = (left out)\n";
+      if (!with_secrets && IsSecret(key))
+        lines.emplace_back(whole, "(left out)");
       else
-        Add(whole, item, text);
+        Add(whole, item, with_secrets, lines);
     }
   } else if (value.kind == toml::Value::Kind::kList) {
     for (std::size_t i = 0; i < value.list.size(); ++i)
-      Add(fmt::format("{}[{}]", name, i), value.list[i], text);
+      Add(fmt::format("{}[{}]", name, i), value.list[i], with_secrets, lines);
   } else {
-    text += name + " = " + InOneLine(value) + "\n";
+    lines.emplace_back(name, InOneLine(value));
   }
+}
+
+// In the order of their names, which two texts are compared by.
+std::map<std::string, std::string> SettingsOf(const std::string& text) {
+  const auto settings = toml::Parse(text, "");
+  Lines lines;
+  if (settings) Add("", *settings, true, lines);
+  return {lines.begin(), lines.end()};
 }
 
 }  // namespace
@@ -67,9 +80,27 @@ std::string SettingsText(const std::filesystem::path& file) {
   if (!text) return text.error().message();
   const auto settings = toml::Parse(*text, file.filename().string());
   if (!settings) return "they have a fault: " + settings.error().message();
+  Lines lines;
+  Add("", *settings, false, lines);
   std::string shown;
-  Add("", *settings, shown);
+  for (const auto& [name, value] : lines) shown += name + " = " + value + "\n";
   return shown;
+}
+
+// First what comes and changes, then what goes; each in the order of the names.
+std::vector<std::string> SettingsDifferences(const std::string& before, const std::string& after) {
+  const auto old = SettingsOf(before), fresh = SettingsOf(after);
+  std::vector<std::string> lines;
+  for (const auto& [name, value] : fresh) {
+    const auto was = old.find(name);
+    if (was == old.end())
+      lines.push_back(fmt::format("new     {}  {}", name, value));
+    else if (was->second != value)
+      lines.push_back(fmt::format("changed {}  {} -> {}", name, was->second, value));
+  }
+  for (const auto& [name, value] : old)
+    if (!fresh.contains(name)) lines.push_back(fmt::format("gone    {}  {}", name, value));
+  return lines;
 }
 
 }  // namespace kaori::shows

@@ -60,6 +60,10 @@ Result<std::vector<Offer>> ListKeys(const fs::path& stick) {
   return List(stick, ".pub");
 }
 
+Result<std::vector<Offer>> ListSettings(const fs::path& stick) {
+  return List(stick, ".toml");
+}
+
 Result<std::vector<Offer>> ListBackups(const fs::path& stick) {
   return List(stick, ".kaorishow");
 }

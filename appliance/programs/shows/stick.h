@@ -1,4 +1,4 @@
-// What lies on a stick: shows, keys and backups, at its top. Everything of it is foreign: names are checked before
+// What lies on a stick: shows, keys, backups and settings, at its top. Everything of it is foreign: names are checked before
 // they are shown.
 #pragma once
 
@@ -35,6 +35,9 @@ Result<std::vector<Offer>> ListShows(const std::filesystem::path& stick);
 
 // As ListShows, of the files *.pub.
 Result<std::vector<Offer>> ListKeys(const std::filesystem::path& stick);
+
+// As ListShows, of settings, *.toml.
+Result<std::vector<Offer>> ListSettings(const std::filesystem::path& stick);
 
 // As ListShows, of backups, *.kaorishow.
 Result<std::vector<Offer>> ListBackups(const std::filesystem::path& stick);

@@ -35,7 +35,8 @@ class StickMount {
   explicit StickMount(std::filesystem::path at) : at_(std::move(at)) {}
   // Where the stick is mounted. One that was pulled stays mounted until this goes, and every read of it
   // fails.
-  std::filesystem::path at_;  // Empty: moved away.
+  // Empty: moved away.
+  std::filesystem::path at_;
 };
 
 }  // namespace kaori::shows

@@ -9,7 +9,9 @@ namespace kaori::shows {
 
 Result<std::optional<std::filesystem::path>> Sticks::Look() {
   const auto there = FindSticks("/sys/class/block");
-  const auto is_out = [&](const std::string& device) { return std::ranges::find(there, device) == there.end(); };
+  const auto is_out = [&](const std::string& device) {
+    return std::ranges::find(there, device) == there.end();
+  };
   const std::string before = device_;
   if (is_out(device_)) Leave();
   std::erase_if(refused_, is_out);
@@ -34,8 +36,8 @@ void Sticks::Leave() {
 }
 
 bool Sticks::HoldsSomething() const {
-  const auto shows = ListShows(at_), keys = ListKeys(at_), backups = ListBackups(at_);
-  return (shows && !shows->empty()) || (keys && !keys->empty()) || (backups && !backups->empty());
+  const auto holds = [](const Result<std::vector<Offer>>& listed) { return listed && !listed->empty(); };
+  return holds(ListShows(at_)) || holds(ListKeys(at_)) || holds(ListBackups(at_)) || holds(ListSettings(at_));
 }
 
 void Sticks::Try(const std::string& device) {

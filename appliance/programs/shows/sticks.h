@@ -11,7 +11,7 @@
 
 namespace kaori::shows {
 
-// Mounts the first that holds shows, keys or backups of all partitions of all sticks, else any that can be mounted:
+// Mounts the first that holds shows, keys, backups or settings of all partitions of all sticks, else any that can be mounted:
 // computers put a small partition of their own in front of the one that people see. What cannot be mounted is
 // tried again when it was out.
 class Sticks {
@@ -26,14 +26,18 @@ class Sticks {
   Result<void> SetWritable(bool writable);
 
  private:
+  // Unmounts the one that is in.
   void Leave();
+  // Whether something of it can be taken; one that holds nothing may still get a backup or a support file.
   bool HoldsSomething() const;
   // An empty one gives way to the next, and is not tried again either.
   void Try(const std::string& device);
 
   std::filesystem::path at_;
+  // The mounted one, as "sdb1"; empty: none.
   std::string device_;
   bool holds_something_ = false;
+  // Devices that are not tried again while they are in, and why the last of them could not be mounted.
   std::vector<std::string> refused_;
   Error fault_{};
   std::optional<StickMount> mount_;

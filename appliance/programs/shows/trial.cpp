@@ -163,7 +163,8 @@ Result<TrialUser> FindUser(const std::string& name) {
 Result<void> KeepRightsToOurselves() {
   if (::prctl(PR_CAPBSET_READ, CAP_SETGID) == 1 && ::geteuid() == 0 && ::setgroups(0, nullptr) < 0)
     return FailErrno("leave the groups of root");
-  for (const unsigned long right : {CAP_SYS_ADMIN, CAP_SETUID, CAP_SETGID, CAP_DAC_READ_SEARCH, CAP_SETPCAP}) {
+  for (const unsigned long right :
+       {CAP_SYS_ADMIN, CAP_SETUID, CAP_SETGID, CAP_DAC_READ_SEARCH, CAP_SETPCAP}) {
     if (::prctl(PR_CAPBSET_READ, right) != 1) continue;
     if (::prctl(PR_CAPBSET_DROP, right) < 0 && ::geteuid() == 0)
       return FailErrno("take the right to mount from what is started");

@@ -100,7 +100,8 @@ class BackupTest : public ::testing::Test {
   // An archive of this list and nothing else.
   static std::string OfList(const std::string& list) {
     const Block block = MakeBlock({std::string(kContents), list.size()});
-    return std::string(block.begin(), block.end()) + list + std::string(Padding(list.size()) + 2 * kBlock_bytes, '\0');
+    return std::string(block.begin(), block.end()) + list +
+           std::string(Padding(list.size()) + 2 * kBlock_bytes, '\0');
   }
 
   const std::filesystem::path folder_ =

@@ -19,10 +19,10 @@ TEST_F(BackupTest, HasWhatPeopleMadeAndNothingThatIdentifiesTheBox) {
   Collected read;
   ASSERT_TRUE(Read(std::make_unique<TextInput>(*text), read));
   EXPECT_EQ(read.files, (std::map<std::string, std::string>{{"lips/lips.settings", std::string(5000, 'l')},
-                                                           {"own/01-smile.toml", "smile"},
-                                                           {"own/log/2026-11-23", "a report"},
-                                                           {"settings/box.toml", "profile = \"stage\"\n"},
-                                                           {"settings/keys/company.pub", "a key"}}));
+                                                            {"own/01-smile.toml", "smile"},
+                                                            {"own/log/2026-11-23", "a report"},
+                                                            {"settings/box.toml", "profile = \"stage\"\n"},
+                                                            {"settings/keys/company.pub", "a key"}}));
   EXPECT_EQ(read.whole, read.files.size());
 }
 
@@ -68,7 +68,8 @@ TEST_F(BackupTest, OfANewerVersionSaysSo) {
 }
 
 TEST_F(BackupTest, WithANameOutsideOfItsFoldersIsRefused) {
-  for (const char* path : {"../machine-id", "machine-id", "own/../../etc/passwd", "/etc/passwd", "shows/choice.0"}) {
+  for (const char* path :
+       {"../machine-id", "machine-id", "own/../../etc/passwd", "/etc/passwd", "shows/choice.0"}) {
     Contents contents{"a box", "today", std::string(store::kRootShow), {{{path, 1}, std::string(64, 'a')}}};
     EXPECT_EQ(CauseOf(Read(OfList(Format(contents)))), kOutsideBackup) << path;
   }
@@ -79,7 +80,8 @@ TEST_F(BackupTest, ThatClaimsTooMuchIsRefusedBeforeItIsRead) {
   EXPECT_EQ(CauseOf(Read(OfList(Format({"", "", root, {{{"own/01-a.toml", kLargestFile_bytes + 1}, sum}}})))),
             std::errc::file_too_large);
   Contents many{"", "", root, {}};
-  for (std::size_t n = 0; n <= kMostFiles; ++n) many.files.push_back({{"own/" + std::to_string(n) + ".toml", 1}, sum});
+  for (std::size_t n = 0; n <= kMostFiles; ++n)
+    many.files.push_back({{"own/" + std::to_string(n) + ".toml", 1}, sum});
   EXPECT_EQ(CauseOf(Read(OfList(Format(many)))), std::errc::file_too_large);
   EXPECT_EQ(CauseOf(Read(OfList(std::string(kMostContents_bytes + 1, 'x')))), std::errc::file_too_large);
 }
@@ -110,6 +112,31 @@ TEST_F(BackupTest, OfABoxThatChangesMeanwhileIsNotWritten) {
   Result<bool> done = false;
   for (int n = 0; n < 6; ++n) done = writer->Step();  // All of the list's sums.
   Put("own/01-smile.toml", "grin!");
+  while (done && !*done) done = writer->Step();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().cause, std::errc::text_file_busy);
+}
+
+// A stage that plays adds to its log each half minute.
+TEST_F(BackupTest, HasAsMuchOfAGrowingReportAsThereWasAtFirst) {
+  auto writer = Writer::Begin(data_, {"a box", "today"}, file_);
+  ASSERT_TRUE(writer);
+  Result<bool> done = false;
+  for (int n = 0; n < 6; ++n) done = writer->Step();  // All of the list's sums.
+  Put("own/log/2026-11-23", "a report that goes on");
+  while (done && !*done) done = writer->Step();
+  ASSERT_TRUE(done) << done.error().message();
+  Collected read;
+  ASSERT_TRUE(Read(OpenInput(file_).value(), read));
+  EXPECT_EQ(read.files["own/log/2026-11-23"], "a report");
+}
+
+TEST_F(BackupTest, OfAFileThatGoesMeanwhileIsNotWritten) {
+  auto writer = Writer::Begin(data_, {"a box", "today"}, file_);
+  ASSERT_TRUE(writer);
+  Result<bool> done = false;
+  for (int n = 0; n < 6; ++n) done = writer->Step();  // All of the list's sums.
+  std::filesystem::remove(data_ / "own/01-smile.toml");
   while (done && !*done) done = writer->Step();
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().cause, std::errc::text_file_busy);

@@ -207,5 +207,23 @@ TEST_F(DeskCalibration, WorksByLampsAloneOutOfService) {
   EXPECT_FALSE(std::filesystem::exists(lips::ServicePath(fixture_.board.path()))) << "no desk may connect";
 }
 
+TEST_F(DeskCalibration, LetsADeskConnectForAsLongAsTheKeyIsOn) {
+  const auto connectable = [&] { return std::filesystem::exists(lips::ServicePath(fixture_.board.path())); };
+  fixture_.StartLips(false);
+  auto lines = fixture_.board.AcquireWriter<board::Lines>().value();
+  const auto turn = [&](bool on) {
+    board::Lines state;
+    if (on) state.active |= 1U << static_cast<unsigned>(board::Line::kService);
+    lines.Write(state, fixture_.clock.now(), board::SourceState::kLive);
+    fixture_.Play(100ms);
+  };
+  turn(false);
+  EXPECT_FALSE(connectable());
+  turn(true);
+  EXPECT_TRUE(connectable());
+  turn(false);
+  EXPECT_FALSE(connectable());
+}
+
 }  // namespace
 }  // namespace kaori::tests

@@ -2,7 +2,6 @@
 #include "appliance/core/restore/apply.h"
 #include "appliance/core/restore/plan.h"
 #include "appliance/programs/shows/box_copies.h"
-#include "appliance/programs/shows/own_name.h"
 #include "appliance/programs/shows/restore_disk.h"
 #include "tests/appliance/programs/shows_service_fixture.h"
 
@@ -16,7 +15,7 @@ using ::testing::Not;
 
 class CopiesTest : public ServiceTest {
  protected:
-  CopiesTest() : ServiceTest(true) {
+  CopiesTest() : ServiceTest(Offers::kCopies) {
     for (const char* each : {"settings/keys", "own/log", "lips"}) fs::create_directories(folder_ / each);
     Put("settings/box.toml", "name = \"left\"\nprofile = \"stage\"\n");
     Put("own/01-smile.toml", "smile");
@@ -24,19 +23,7 @@ class CopiesTest : public ServiceTest {
     Put("lips/lips.settings", "lips");
     plugged_ = true;
   }
-  void Put(const std::string& file, const std::string& text) { std::ofstream(folder_ / file) << text; }
-  std::string Text(const std::string& file) { return ReadFile(folder_ / file).value_or("nothing"); }
-  // Takes the line of the list with these words, by its number.
-  std::string Take(const std::string& words) {
-    const std::string said = Play(1s);
-    const auto at = said.find(words);
-    EXPECT_NE(at, std::string::npos) << "no \"" << words << "\" in " << said;
-    if (at == std::string::npos) return said;
-    const auto number = said.find_first_of("12345678", said.rfind('\n', at) + 1);
-    Strike(static_cast<std::uint8_t>(board::key::k1 + (said[number] - '1')));
-    return Play(2s);
-  }
-  std::string BackUp() { return Take("backup of this box"); }
+  std::string BackUp() { return Choose("backup of this box"); }
   // What the start of the box does.
   void Start() { ASSERT_TRUE(restore::FinishRestore(folder_).value()); }
   static constexpr const char* kFile = "stick/left-1a2b3c4d-20261119-070640.kaorishow";
@@ -56,15 +43,15 @@ TEST_F(CopiesTest, ARestoreSaysWhatDiffersAndChangesNothingBeforeYes) {
   Put("own/01-smile.toml", "grin");
   Put("own/02-frown.toml", "frown");
   fs::remove(folder_ / "lips/lips.settings");
-  const std::string said = Take("restore left");
-  EXPECT_THAT(said, HasSubstr(Words(Message::kAskRestore, Language::kEnglish)));
+  const std::string said = Choose("restore left");
+  EXPECT_THAT(said, HasSubstr(Words(Message::kAskChange, Language::kEnglish)));
   EXPECT_THAT(said, HasSubstr("> 1  leave the box as it is"));
   EXPECT_THAT(said, HasSubstr("changed own/01-smile.toml"));
   EXPECT_THAT(said, HasSubstr("gone    own/02-frown.toml"));
   EXPECT_THAT(said, HasSubstr("new     lips/lips.settings"));
   EXPECT_THAT(said, Not(HasSubstr("settings/box.toml")));
   EXPECT_FALSE(fs::exists(folder_ / restore::kNext));
-  EXPECT_THAT(Take("leave the box"), HasSubstr("the box stays as it is"));
+  EXPECT_THAT(Choose("leave the box"), HasSubstr("the box stays as it is"));
   EXPECT_EQ(Text("own/01-smile.toml"), "grin");
   EXPECT_FALSE(fs::exists(folder_ / restore::kIncoming));
 }
@@ -72,22 +59,23 @@ TEST_F(CopiesTest, ARestoreSaysWhatDiffersAndChangesNothingBeforeYes) {
 TEST_F(CopiesTest, ARestoreIsDoneAtTheNextStartAndCanBeUndone) {
   BackUp();
   Put("own/01-smile.toml", "grin");
-  Take("restore left");
-  EXPECT_THAT(Take("yes, restore this"), HasSubstr("switch the box off and on"));
+  Choose("restore left");
+  EXPECT_THAT(Choose("yes, restore this"), HasSubstr("switch the box off and on"));
   EXPECT_EQ(Text("own/01-smile.toml"), "grin") << "what plays is not disturbed";
   Start();
   EXPECT_EQ(Text("own/01-smile.toml"), "smile");
   plugged_ = false;
   Play(1s);
   Strike(board::key::kPageUp);
-  EXPECT_THAT(Take("back to what was here before the restore"), HasSubstr("what was there before comes back"));
+  EXPECT_THAT(Choose("back to what was here before the restore"),
+              HasSubstr("what was there before comes back"));
   Start();
   EXPECT_EQ(Text("own/01-smile.toml"), "grin");
 }
 
 TEST_F(CopiesTest, ABoxWithNothingGetsTheShowAndEverythingButTheNameAndTheReports) {
   PutOnStick("evening", &company_);
-  Take("1  evening");
+  Choose("1  evening");
   const auto id = store::ReadChoice(folder_ / "shows").current;
   Put("settings/keys/company.pub", show::PublicKeyLine(company_.public_key()));
   BackUp();
@@ -96,10 +84,11 @@ TEST_F(CopiesTest, ABoxWithNothingGetsTheShowAndEverythingButTheNameAndTheReport
   fs::create_directories(folder_ / "settings");
   Put("settings/box.toml", "name = \"right\"\n");
   fs::remove(folder_ / "stick/evening.kaori");
-  const std::string said = Take("restore left");
+  const std::string said = Choose("restore left");
   EXPECT_THAT(said, HasSubstr("show " + id.substr(0, 8) + " in place of the box's own one"));
-  EXPECT_THAT(said, HasSubstr("new     settings/keys/company.pub"));
-  Take("yes, restore this");
+  EXPECT_THAT(said,
+              HasSubstr("new     settings/keys/company.pub  " + show::Fingerprint(company_.public_key())));
+  Choose("yes, restore this");
   Start();
   EXPECT_EQ(store::ReadChoice(folder_ / "shows").current, id);
   EXPECT_TRUE(fs::exists(folder_ / "shows" / store::PackName(id)));
@@ -108,22 +97,40 @@ TEST_F(CopiesTest, ABoxWithNothingGetsTheShowAndEverythingButTheNameAndTheReport
   EXPECT_EQ(Text("own/log/evening"), "nothing") << "a report says what one box did";
 }
 
+// The second restore is confirmed before the first was done: the first one's files are none of its own.
+TEST_F(CopiesTest, ALaterRestoreTakesThePlaceOfOneThatWaits) {
+  BackUp();
+  Put("own/01-smile.toml", "grin");
+  Put("lips/lips.settings", "other lips");
+  Choose("restore left");
+  Choose("yes, restore this");
+  Put("lips/lips.settings", "lips");
+  Choose("restore left");
+  EXPECT_THAT(Choose("yes, restore this"), HasSubstr("switch the box off and on"));
+  const auto plan = restore::ParsePlan(Text(std::string(restore::kNext) + "/" + restore::kPlan));
+  ASSERT_TRUE(plan);
+  EXPECT_THAT(plan->put, ::testing::ElementsAre("own/01-smile.toml"));
+  EXPECT_FALSE(fs::exists(folder_ / restore::kDropped));
+  Start();
+  EXPECT_EQ(Text("own/01-smile.toml"), "smile");
+}
+
 TEST_F(CopiesTest, AShowOfNobodyWhomTheBoxKnowsIsRefused) {
   PutOnStick("evening", &company_);
-  Take("1  evening");
+  Choose("1  evening");
   BackUp();
   fs::remove_all(folder_ / "root-keys");
-  EXPECT_THAT(Take("restore left"), HasSubstr("does not trust its signer"));
+  EXPECT_THAT(Choose("restore left"), HasSubstr("does not trust its signer"));
   EXPECT_FALSE(fs::exists(folder_ / restore::kIncoming));
 }
 
 TEST_F(CopiesTest, AShowThatDoesNotPlayHereIsRefused) {
   PutOnStick("evening", &company_);
-  Take("1  evening");
+  Choose("1  evening");
   BackUp();
   for (const auto& pack : fs::directory_iterator(folder_ / "shows")) fs::remove(pack);
   trial_ = FailInput("it needs more memory");
-  EXPECT_THAT(Take("restore left"), HasSubstr("it does not play on this box"));
+  EXPECT_THAT(Choose("restore left"), HasSubstr("it does not play on this box"));
 }
 
 TEST_F(CopiesTest, ADamagedBackupIsRefusedInWordsAndChangesNothing) {
@@ -132,7 +139,7 @@ TEST_F(CopiesTest, ADamagedBackupIsRefusedInWordsAndChangesNothing) {
   text.at(text.rfind("smile")) = 'X';
   Put(kFile, text);
   Put("own/01-smile.toml", "grin");
-  const std::string said = Take("restore left");
+  const std::string said = Choose("restore left");
   EXPECT_THAT(said, HasSubstr("! left-1a2b3c4d-20261119-070640: it is damaged"));
   EXPECT_EQ(Text("own/01-smile.toml"), "grin");
   EXPECT_FALSE(fs::exists(folder_ / restore::kIncoming));
@@ -141,7 +148,7 @@ TEST_F(CopiesTest, ADamagedBackupIsRefusedInWordsAndChangesNothing) {
 TEST_F(CopiesTest, AStickThatIsPulledEndsTheQuestion) {
   BackUp();
   Put("own/01-smile.toml", "grin");
-  Take("restore left");
+  Choose("restore left");
   plugged_ = false;
   EXPECT_THAT(Play(1s), Not(HasSubstr("yes, restore this")));
   EXPECT_FALSE(fs::exists(folder_ / restore::kIncoming));
@@ -149,7 +156,7 @@ TEST_F(CopiesTest, AStickThatIsPulledEndsTheQuestion) {
 
 TEST_F(CopiesTest, ABoxThatHasAllOfItIsToldSo) {
   BackUp();
-  EXPECT_THAT(Take("restore left"), HasSubstr("the box has all of it already"));
+  EXPECT_THAT(Choose("restore left"), HasSubstr("the box has all of it already"));
 }
 
 TEST_F(CopiesTest, AStickThatCannotBeWrittenIsSaidInWords) {
@@ -170,13 +177,6 @@ TEST_F(CopiesTest, AKeyThatIsTurnedBackLeavesNothing) {
     ASSERT_TRUE(copies.busy());
   }
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "stick"), {}), 1);
-}
-
-TEST(OwnNameTest, StaysTheBoxsOwnAboveTheFirstSectionAlone) {
-  EXPECT_EQ(WithNameOf("name = \"a\"\n[x]\nname = \"b\"\n", "  name=\"mine\"\nprofile = \"kiosk\"\n"),
-            "  name=\"mine\"\n[x]\nname = \"b\"\n");
-  EXPECT_EQ(WithNameOf("names = 1\nname = \"a\"", ""), "names = 1\n");
-  EXPECT_EQ(WithNameOf("", "[x]\nname = \"b\"\n"), "");
 }
 
 }  // namespace

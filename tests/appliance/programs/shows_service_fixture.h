@@ -20,8 +20,9 @@ namespace kaori::shows {
 
 class ServiceTest : public tests::PackTest {
  protected:
-  // Backups are offered, or not: the tests of all else speak of a list without them.
-  explicit ServiceTest(bool with_copies = false) : with_copies_(with_copies) {
+  // What of the box itself is offered: the tests of all else speak of a list without it.
+  enum class Offers { kShows, kCopies, kSettings };
+  explicit ServiceTest(Offers offers = Offers::kShows) : offers_(offers) {
     for (const char* each : {"stick", "shows", "report", "root-keys"})
       std::filesystem::create_directories(folder_ / each);
     EXPECT_TRUE(SaveKey(company_, folder_ / "root-keys" / "company"));
@@ -53,8 +54,21 @@ class ServiceTest : public tests::PackTest {
     return ReadFile(folder_ / "report" / "lines").value_or("");
   }
 
+  void Put(const std::string& file, const std::string& text) const { std::ofstream(folder_ / file) << text; }
+  std::string Text(const std::string& file) const { return ReadFile(folder_ / file).value_or("nothing"); }
+  // Chooses the line of the list with these words, by its number, and gives what is said then.
+  std::string Choose(const std::string& words) {
+    const std::string said = Play(std::chrono::seconds(1));
+    const auto at = said.find(words);
+    EXPECT_NE(at, std::string::npos) << "no \"" << words << "\" in " << said;
+    if (at == std::string::npos) return said;
+    const auto number = said.find_first_of("12345678", said.rfind('\n', at) + 1);
+    Strike(static_cast<std::uint8_t>(board::key::k1 + (said[number] - '1')));
+    return Play(std::chrono::seconds(2));
+  }
+
   const show::SecretKey company_ = show::MakeKey().value(), theatre_ = show::MakeKey().value();
-  const bool with_copies_;
+  const Offers offers_;
   bool plugged_ = false, unreadable_ = false, writable_ = false;
   int opened_ = 0;
   Result<void> closed_{};  // Of a stick that is to be written.
@@ -76,6 +90,7 @@ class ServiceTest : public tests::PackTest {
                            return writable ? closed_ : Result<void>{};
                          }},
                     [this](const std::filesystem::path&) { return trial_; }};
+  BoxSettings settings_{{.data = folder_, .zones = folder_ / "zones", .screens = folder_ / "screens"}};
   InstallService service_{
       {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays"},
       *shows_,
@@ -87,7 +102,8 @@ class ServiceTest : public tests::PackTest {
       },
       [this](const std::filesystem::path&) { return trial_; },
       [this](const std::filesystem::path&) { return support_; },
-      with_copies_ ? &copies_ : nullptr};
+      {.copies = offers_ == Offers::kCopies ? &copies_ : nullptr,
+       .settings = offers_ == Offers::kSettings ? &settings_ : nullptr}};
 };
 
 }  // namespace kaori::shows

@@ -1,10 +1,11 @@
 #include "appliance/programs/lips/service/lip_service.h"
 
 #include "appliance/core/board/lines.h"
+#include "drivers/base/log.h"
 
 namespace kaori::lips {
 
-// Without service there is no socket, so that no desk can connect in a show; keys and the file work always.
+// Without service or key there is no socket, so that no desk can connect in a show; keys and the file work always.
 Result<std::unique_ptr<LipService>> LipService::Open(const LipServiceOptions& options, LipReader& reader,
                                                      const board::Board& board, const Clock& clock) {
   auto writer = board.AcquireWriter<board::LipsGuide>();
@@ -46,6 +47,7 @@ LipService::~LipService() {
 // Commands first, then what is due, then the keys, so that the report at the end tells of all of them.
 void LipService::Step() {
   const Time now = clock_.now();
+  if (!service_) FollowKey();
   if (connection_)
     for (const Command& command : connection_->ReceiveCommands(now)) tuning_.Execute(command, now);
   tuning_.Step(now);
@@ -56,6 +58,17 @@ void LipService::Step() {
   guide_.Step(keys, board_.Read<board::Surface>(), reader_.meter().lips(), tuning_, now);
   ShowGuide(now);
   if (connection_) connection_->SendReport(tuning_.report(), now);
+}
+
+// A desk that was connected when the key is turned back is gone at the next step.
+void LipService::FollowKey() {
+  if (key_was_on_ == ServiceSwitched()) return;
+  key_was_on_ = !key_was_on_;
+  connection_.reset();
+  if (!key_was_on_) return;
+  auto connection = DeskConnection::Open(ServicePath(board_.path()));
+  if (!connection) return LogWarning("no desk can calibrate the lips: {}", connection.error().message());
+  connection_.emplace(std::move(*connection));
 }
 
 // Whether the key switch at the box is on.

@@ -16,10 +16,12 @@
 namespace kaori::lips {
 
 struct LipServiceOptions {
-  // A desk may connect, and the guide may show captions on the screen, as it may while the key switch is on.
+  // A desk may connect, and the guide may show captions on the screen, also while the key switch is off.
   bool service = false;
-  std::filesystem::path file{};  // Where settings are saved; empty: nowhere.
-  LipSettings now{};             // The settings in use.
+  // Where settings are saved; empty: nowhere.
+  std::filesystem::path file{};
+  // The settings in use.
+  LipSettings now{};
 };
 
 // Used by one thread. Borrows reader, board and clock, which outlive it. It lies on the heap, since the
@@ -50,6 +52,8 @@ class LipService {
   // Writes the section lips_guide while a calibration is under way, and once when it ends.
   void ShowGuide(Time now);
   bool ServiceSwitched() const;
+  // Opens the desk's socket when the key is turned on, and closes it when it is turned back.
+  void FollowKey();
 
   bool service_;
   LipReader& reader_;
@@ -59,6 +63,7 @@ class LipService {
   Tuning tuning_;
   Guide guide_;
   std::optional<DeskConnection> connection_;
+  bool key_was_on_ = false;
   MonitorPicture monitor_picture_;
   // The section says that a calibration is under way.
   bool shown_ = false;

@@ -44,6 +44,7 @@ USERADD_PARAM:${PN} = "--system --no-create-home --shell /sbin/nologin --user-gr
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-lips; \
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-fdkeeper; \
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-surface; \
+                       --system --no-create-home --shell /sbin/nologin --user-group kaori-desk; \
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-trial"
 
 SYSTEMD_SERVICE:${PN} = "kaori.target"
