@@ -11,7 +11,7 @@ _CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
-CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "serial", "midi", "gpio", "camera", "audio", "scanout"))
+CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "serial", "midi", "gpio", "camera", "audio", "scanout", "loader"))
 
 # (room, what it may include besides itself). The first row whose room begins the path counts. Every room exists.
 MAY_INCLUDE = (
