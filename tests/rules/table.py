@@ -7,7 +7,7 @@ _BASE = ("firmware/wire/", "drivers/base/")
 _PORTS = _BASE + ("drivers/ports/",)
 _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog"))
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog", "update"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
@@ -34,6 +34,7 @@ MAY_INCLUDE = (
     ("appliance/core/toml/", ("drivers/base/",)),
     ("appliance/core/show/", _DRAWING),
     ("appliance/core/store/", ("drivers/base/",)),
+    ("appliance/core/update/", ("drivers/base/", "appliance/core/show/")),
     ("appliance/core/roles/", ("drivers/base/", "appliance/core/toml/", "appliance/core/show/", "render/face/", "render/scene/")),
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
     ("appliance/core/linecheck/", _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
@@ -49,6 +50,7 @@ MAY_INCLUDE = (
     ("appliance/programs/monitor/", _PROGRAM + ("appliance/programs/status/",)),
     ("appliance/programs/shows/", _BASE + ("appliance/core/board/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
                                            "appliance/programs/status/")),
+    ("appliance/programs/update/", _PORTS + ("appliance/core/show/", "appliance/core/update/")),
     ("appliance/programs/lips/protocol/", _BASE),
     ("appliance/programs/lips/", _PROGRAM),
     ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/monitor/", "appliance/programs/status/")),
@@ -90,6 +92,7 @@ LIBRARIES = (
     (("gnutls/",), ("appliance/programs/desk/",)),
     (("nlohmann/",), ("hw-sim/",)),
     (("usbredir",), ("hw-sim/links/",)),
+    (("zstd.h",), ("appliance/core/update/",)),
 )
 
 # Firmware knows no operating system: only these of the standard library.
