@@ -78,7 +78,7 @@ std::vector<Check> AllChecks() {
         ToolChecks(),     AuthorisationChecks(), AloneChecks(),     SpeedChecks(),   GadgetChecks(),
         LoopChecks(),     DamagedDiskChecks(),   SamplingChecks(),  DisplayChecks(), OutputChecks(),
         LastFaceChecks(), RecoveryChecks(),      PowerChecks(),     StickChecks(),   DataChecks(),
-        DiskChecks(),     SecureBootChecks(),    StartChecks(),     MediumChecks()})
+        DiskChecks(),     SecureBootChecks(),    StartChecks(),     MediumChecks(),  UpdateChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

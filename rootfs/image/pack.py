@@ -110,7 +110,7 @@ def make_data(out, size_mib):
     for change in ("mkdir journal", "mkdir settings", f"write {settings} settings/box.toml",
                    *(f"set_inode_field settings/box.toml {field}" for field in ("uid 0", "gid 0", "mode 0100644")),
                    *folder_of("own", users["kaori-stage"]), *folder_of("lips", users["kaori-lips"]),
-                   *folder_of("input", users["kaori-input"]), "mkdir shows"):
+                   *folder_of("input", users["kaori-input"]), "mkdir shows", "mkdir update"):
         run("debugfs", "-w", "-R", change, data)
     return data
 

@@ -66,16 +66,17 @@ Result<void> CheckLengths(const Manifest& manifest, std::uint64_t file_bytes) {
 
 Result<void> CheckMark(Bytes bytes) {
   const bool begins = bytes.size() >= kMark.size() &&
-                      std::ranges::equal(bytes.first(kMark.size()), kMark,
-                                         [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); });
+                      std::ranges::equal(bytes.first(kMark.size()), kMark, [](std::uint8_t a, char b) {
+                        return a == static_cast<std::uint8_t>(b);
+                      });
   if (!begins) return FailInput("is no update", std::errc::executable_format_error);
   if (bytes.size() < kHeader_bytes)
     return FailInput("is no whole update: it ends in its header", std::errc::message_size);
   const std::uint32_t form = WordAt(bytes, kFormAt);
   if (form > kForm)
-    return FailInput("is an update of form " + std::to_string(form) + "; this box reads form " +
-                         std::to_string(kForm),
-                     std::errc::function_not_supported);
+    return FailInput(
+        "is an update of form " + std::to_string(form) + "; this box reads form " + std::to_string(kForm),
+        std::errc::function_not_supported);
   return form == kForm ? Result<void>{} : FailInput("is damaged: its header is not sound");
 }
 

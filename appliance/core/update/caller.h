@@ -22,7 +22,8 @@ namespace kaori::update {
 // Where kaori-update listens; the service manager starts it when somebody calls.
 inline constexpr const char* kSocket = "/run/kaori-update-socket";
 
-inline constexpr std::string_view kLook = "look", kInstall = "install", kIsWaiting = "waits", kRestart = "restart";
+inline constexpr std::string_view kLook = "look", kInstall = "install", kIsWaiting = "waits",
+                                  kRestart = "restart";
 inline constexpr std::size_t kLongestPacket_bytes = 1024;
 
 // One answer.

@@ -40,13 +40,15 @@ constexpr std::array<Row, kMessageCount> kTable{{
      "箱のディスクに書けません。担当者に知らせてください"},
     {"the box's disk is of an earlier layout; it has to be written anew once",
      "ディスクの形式が古いです。一度ディスクを書き直してください"},
-    {"the running system is still being tried; wait a minute", "今のシステムを試しています。一分お待ちください"},
+    {"the running system is still being tried; wait a minute",
+     "今のシステムを試しています。一分お待ちください"},
     {"this PC forgets which system it is to try; the disk has to be written in another computer",
      "このPCは次に試すシステムを覚えられません。別の機械でディスクを書いてください"},
     {"no update waits on this box", "待っているアップデートはありません"},
     {"it was tried three times and gave way each time; take another update",
      "三回試して戻りました。別のアップデートを使ってください"},
-    {"it was tried and gave way; the system before plays", "試しましたが戻りました。前のシステムで動いています"},
+    {"it was tried and gave way; the system before plays",
+     "試しましたが戻りました。前のシステムで動いています"},
 }};
 
 }  // namespace

@@ -15,7 +15,6 @@ namespace {
 constexpr Duration kLookPeriod = std::chrono::milliseconds(500);
 // Of a program whose part of the board is over.
 constexpr Duration kSilence = std::chrono::milliseconds(500);
-constexpr std::size_t kLongestReason = 160;  // Two lines of a small screen.
 constexpr const char* kTold = "chosen";
 
 // A report that cannot be written costs the lines on the screen, and not the installation.
@@ -78,6 +77,8 @@ void InstallService::Step(Time now) {
     WriteSupport();
   } else if (installation_) {
     StepInstallation();
+  } else if (update_) {
+    FollowUpdate();
   } else if (IsBusyElsewhere(now)) {
     menu_.Shut();
     menu_.ForgetPresses();
@@ -112,11 +113,11 @@ void InstallService::Look(Time now) {
   FollowChosen();
   if (!std::exchange(has_looked_, true)) OfferBefore();
   auto looked = look_();
-  if (!looked && !installation_) TellOfStick(Message::kUnreadable, looked.error().message());
+  if (!looked && !installation_ && !update_) TellOfStick(Message::kUnreadable, looked.error().message());
   auto stick = looked.value_or(std::nullopt);
   const bool is_another = stick != stick_, is_out = looked && !stick;
   stick_ = std::move(stick);
-  if (installation_) return;
+  if (installation_ || update_) return;
   if (is_another && stick_) return OfferAll(*stick_, now);
   if (is_another) OfferBefore();
   if (is_out && said_ && said_->of_stick) Tell(Message::kPlugIn);
@@ -149,7 +150,7 @@ void InstallService::OfferAll(const std::filesystem::path& stick, Time now) {
 }
 
 Result<std::size_t> InstallService::List(const std::filesystem::path& stick) {
-  std::vector<Choosable> below = WaysBack(folder_);
+  std::vector<Choosable> below = WaysBelow();
   if (support_)
     below.push_back({.kind = Choosable::Kind::kSupport,
                      .offer = {.file = {}, .name = "support file for a technician, onto the stick"},
@@ -160,9 +161,15 @@ Result<std::size_t> InstallService::List(const std::filesystem::path& stick) {
   return offered->of_stick;
 }
 
+std::vector<Choosable> InstallService::WaysBelow() const {
+  std::vector<Choosable> ways = WaysBack(folder_);
+  for (Choosable& way : WaysOn(places_.pending)) ways.push_back(std::move(way));
+  return ways;
+}
+
 // The list is shut: who pushes GO to try the show that has just come must not go back by it.
 void InstallService::OfferBefore() {
-  menu_.Offer(WaysBack(folder_));
+  menu_.Offer(WaysBelow());
   menu_.Shut();
   is_open_ = false;
   if (said_) Show();
@@ -176,6 +183,8 @@ void InstallService::Accept(const Choosable& taken) {
   if (taken.kind == Choosable::Kind::kShow) return Install(taken);
   if (taken.kind == Choosable::Kind::kKey) return AcceptKey(taken);
   if (taken.kind == Choosable::Kind::kBack) return GoBack(taken);
+  if (taken.kind == Choosable::Kind::kUpdate || taken.kind == Choosable::Kind::kRestart)
+    return CallUpdate(taken);
   writes_support_ = true;
   Tell(Message::kWriting);
 }
@@ -245,55 +254,6 @@ void InstallService::StepInstallation() {
   if (progress.message == Message::kInstalled) TellStage();
   installation_.reset();
   menu_.ForgetPresses();  // Whoever pressed again while nothing seemed to happen takes nothing more.
-}
-
-void InstallService::Tell(Message message, const std::string& name, const std::string& reason) {
-  const std::string detail = Printable(reason, kLongestReason);
-  const bool is_said = said_ && said_->message == message && said_->name == name && said_->detail == detail;
-  said_ = Said{message, name, detail};
-  Show();
-  if (is_said) return;
-  const std::string line =
-      Say(message, Language::kEnglish, name, detail) + " / " + Say(message, Language::kJapanese, name);
-  if (IsRefusal(message))
-    LogWarning("{}", line);
-  else
-    Log("{}", line);
-}
-
-void InstallService::TellOfStick(Message message, const std::string& reason) {
-  Tell(message, {}, reason);
-  said_->of_stick = true;
-}
-
-// Both languages, one below the other; the screen shows those lines that its font has letters for.
-void InstallService::Show() {
-  const auto& [message, name, detail, of_stick] = *said_;
-  const std::string mark(IsRefusal(message) ? store::kRefusalMark : std::string_view());
-  std::string text = mark;
-  for (const std::string& line : menu_.Lines(message, Language::kEnglish, name, detail, is_open_))
-    text += line + "\n";
-  text += mark + Say(message, Language::kJapanese, name) + "\n";
-  if (!is_open_ && !menu_.empty() && message != Message::kShut)
-    text += "  " + std::string(Words(Message::kShut, Language::kJapanese)) + "\n";
-  if (text == shown_) return;
-  shown_ = text;
-  WriteReport(places_.report / "lines", text);
-}
-
-// A message that only asks for a press gives way to the one that asks for the next; others stay.
-void InstallService::FollowMenu(Time now) {
-  if (is_open_ == menu_.IsOpen(now)) return;
-  is_open_ = menu_.IsOpen(now);
-  const bool of_stick = said_ && said_->of_stick;
-  const bool asks = !said_ || said_->message == Message::kShut || said_->message == Message::kPlugIn;
-  if (is_open_ && asks)
-    Tell(Message::kChoose);
-  else if (!is_open_ && said_->message == Message::kChoose)
-    Tell(Message::kShut);
-  else
-    Show();
-  said_->of_stick = of_stick;
 }
 
 }  // namespace kaori::shows

@@ -46,6 +46,7 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --plugged          whatever lies in --stick is the stick: nothing is mounted
   --journalctl PROGRAM  reads the journal for a support file (/usr/bin/journalctl)
   --journal FOLDER   where the journal lies (that of this system)
+  --update SOCKET    where kaori-update listens, which brings updates of the box in (/run/kaori-update-socket)
   --install FILE     instead: installs this pack, says how it went, and ends
   --support FOLDER   instead: writes a support file into this folder, says its name, and ends
 )";
@@ -55,7 +56,7 @@ struct Settings {
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
               trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
               report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
-              journal, install, support;
+              journal, install, support, update = kaori::update::kSocket;
   bool plugged = false;
 };
 
@@ -99,8 +100,9 @@ class Sticks {
   }
 
   bool HoldsSomething() const {
-    const auto shows = kaori::shows::ListShows(at_), keys = kaori::shows::ListKeys(at_);
-    return (shows && !shows->empty()) || (keys && !keys->empty());
+    const auto shows = kaori::shows::ListShows(at_), keys = kaori::shows::ListKeys(at_),
+               updates = kaori::shows::ListUpdates(at_);
+    return (shows && !shows->empty()) || (keys && !keys->empty()) || (updates && !updates->empty());
   }
 
   // An empty one gives way to the next, and is not tried again either.
@@ -237,9 +239,9 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   const auto support = [&](const fs::path& stick) {
     return WriteSupport(settings, *folder, &*board, sticks, stick);
   };
-  kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
-                                       *board, look, TrialBy(settings, {.wanted = wanted, .user = *user}),
-                                       support);
+  kaori::shows::InstallService service(
+      {settings.root_keys, settings.keys, settings.report, plays, settings.update}, *folder, *board, look,
+      TrialBy(settings, {.wanted = wanted, .user = *user}), support);
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();
@@ -272,6 +274,7 @@ int main(int argc, char** argv) {
       .Switch("--plugged", settings.plugged)
       .Text("--journalctl", settings.journalctl)
       .Text("--journal", settings.journal)
+      .Text("--update", settings.update)
       .Text("--install", settings.install)
       .Text("--support", settings.support);
   if (const auto status = options.Parse(argc, argv)) return *status;

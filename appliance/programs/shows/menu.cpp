@@ -90,7 +90,9 @@ std::vector<std::string> Menu::Lines(Message message, Language language, const s
   }
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const Choosable& choice = choices_[i];
-    const char* kind = choice.kind == Choosable::Kind::kKey ? "key " : "";
+    const char* kind = "";
+    if (choice.kind == Choosable::Kind::kKey) kind = "key ";
+    if (choice.kind == Choosable::Kind::kUpdate) kind = "update ";
     lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + kind + choice.offer.name +
                     (choice.remark.empty() ? "" : "  " + choice.remark));
   }

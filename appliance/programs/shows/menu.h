@@ -15,11 +15,11 @@
 namespace kaori::shows {
 
 // One thing that can be taken: a show, a key of somebody's whose shows the box shall play, a show that is on
-// the box already, or a support file, which goes the other way.
+// the box already, a support file, which goes the other way, an update of the box, or the restart that tries one.
 struct Choosable {
-  enum class Kind : std::uint8_t { kShow, kKey, kBack, kSupport } kind = Kind::kShow;
+  enum class Kind : std::uint8_t { kShow, kKey, kBack, kSupport, kUpdate, kRestart } kind = Kind::kShow;
   Offer offer;
-  // "48 MB", or a key's fingerprint.
+  // "48 MB", a key's fingerprint, or what an update says of itself.
   std::string remark;
   // Of a key: what is taken is what was shown, whatever the stick says later.
   show::PublicKey key{};

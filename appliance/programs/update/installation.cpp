@@ -10,7 +10,8 @@
 namespace kaori::update {
 namespace {
 
-constexpr std::size_t kPacked_bytes = std::size_t{256} << 10U;  // Read from a stick at once while it is written.
+constexpr std::size_t kPacked_bytes = std::size_t{256}
+                                      << 10U;  // Read from a stick at once while it is written.
 
 class FileSource final : public Source {
  public:
@@ -81,8 +82,8 @@ Installation::Installation(std::unique_ptr<Source> source, show::PublicKeys keys
       running_(running),
       areas_{Area{Part::kRoot, &slot.root, 0, slot.root.bytes()},
              Area{Part::kVerity, &slot.verity, 0, slot.verity.bytes()},
-             Area{running.slot == ports::Slot::kA ? Part::kKernelB : Part::kKernelA, &slot.boot, slot.kernel_at,
-                  slot.kernel_bytes}},
+             Area{running.slot == ports::Slot::kA ? Part::kKernelB : Part::kKernelA, &slot.boot,
+                  slot.kernel_at, slot.kernel_bytes}},
       notes_(notes) {}
 
 const Progress& Installation::Step() {
@@ -133,7 +134,8 @@ void Installation::AcceptHeader() {
   progress_.version = manifest_.version;
   const Message judged = Judge(manifest_, running_, keys_);
   if (judged == Message::kForeign) return Refuse(judged, "key " + show::Fingerprint(manifest_.signer));
-  if (judged != Message::kFits) return Refuse(judged, "this box runs version " + std::to_string(running_.version));
+  if (judged != Message::kFits)
+    return Refuse(judged, "this box runs version " + std::to_string(running_.version));
   all_bytes_ = manifest_.payload_bytes;
   for (const Area& each : areas_) {
     const PackedPart& its = manifest_.part(each.part);

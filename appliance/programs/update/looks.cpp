@@ -39,7 +39,8 @@ std::optional<Ppm> ParsePpm(std::string_view file) {
   if (!width || !height || steps != 255 || *width < 1 || *width > kMostSide_px || *height < 1 ||
       *height > kMostSide_px)
     return std::nullopt;
-  const std::size_t bytes = std::size_t{3} * static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height);
+  const std::size_t bytes =
+      std::size_t{3} * static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height);
   if (file.size() < bytes) return std::nullopt;
   return Ppm{*width, *height, file.substr(0, bytes)};
 }
@@ -111,7 +112,8 @@ std::string DiskFault(std::string_view kernel_log) {
   if (at == kernel_log.npos) return {};
   const std::size_t begin = kernel_log.rfind("device-mapper", at);
   return "the disk does not hold what was written: " +
-         std::string(begin == kernel_log.npos ? "a block is corrupted" : kernel_log.substr(begin, at - begin)) +
+         std::string(begin == kernel_log.npos ? "a block is corrupted"
+                                              : kernel_log.substr(begin, at - begin)) +
          (begin == kernel_log.npos ? "" : " is corrupted");
 }
 

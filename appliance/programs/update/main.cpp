@@ -73,7 +73,8 @@ kaori::Result<std::unique_ptr<kaori::ports::BlockDevice>> OpenPartition(const Se
                                                                         const std::string& name) {
   if (!settings.disk.empty()) return kaori::loader::OpenBlockFile(fs::path(settings.disk) / name);
   const auto device = kaori::PartitionBesideRoot("/sys/class/block", name);
-  if (!device) return kaori::Fail(std::errc::no_such_device, "find the partition " + name + " beside the root");
+  if (!device)
+    return kaori::Fail(std::errc::no_such_device, "find the partition " + name + " beside the root");
   return kaori::loader::OpenBlockFile("/dev/" + *device);
 }
 
@@ -93,9 +94,11 @@ kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::por
 
 kaori::Result<std::unique_ptr<kaori::ports::BootChoice>> OpenChoice(const Settings& settings,
                                                                     kaori::ports::Slot running) {
-  return OpenPartition(settings, "boot").map([&](auto partition) -> std::unique_ptr<kaori::ports::BootChoice> {
-    return std::make_unique<kaori::loader::SystemdBoot>(std::move(partition), running, settings.variables);
-  });
+  return OpenPartition(settings, "boot")
+      .map([&](auto partition) -> std::unique_ptr<kaori::ports::BootChoice> {
+        return std::make_unique<kaori::loader::SystemdBoot>(std::move(partition), running,
+                                                            settings.variables);
+      });
 }
 
 void Restart() {
@@ -124,9 +127,8 @@ kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running&
 // What the status picture shows, in both languages; a file in memory.
 void TellStatus(const Settings& settings, const kaori::update::Outcome& outcome) {
   using kaori::update::Language;
-  const std::string text =
-      Say(outcome.message, Language::kEnglish, outcome.version, outcome.detail) + "\n" +
-      Say(outcome.message, Language::kJapanese, outcome.version) + "\n";
+  const std::string text = Say(outcome.message, Language::kEnglish, outcome.version, outcome.detail) + "\n" +
+                           Say(outcome.message, Language::kJapanese, outcome.version) + "\n";
   kaori::LogWarning("{}", text.substr(0, text.find('\n')));
   if (auto told = kaori::WriteWholeFile(fs::path(settings.said) / "notice", {kaori::AsBytes(text)}); !told)
     kaori::LogWarning("{}", told.error().message());
@@ -163,7 +165,8 @@ void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict,
   }
   const auto log = kaori::OutputOf({"/bin/journalctl", "-b", "--no-pager", "-o", "short-monotonic"},
                                    kMostLog_bytes, kLongestAnswer);
-  if (auto kept = GiveWay(notes, reason, log.value_or("")); !kept) kaori::LogWarning("{}", kept.error().message());
+  if (auto kept = GiveWay(notes, reason, log.value_or("")); !kept)
+    kaori::LogWarning("{}", kept.error().message());
   kaori::LogError("this version gives way to the one before: {}", reason);
   Restart();
 }

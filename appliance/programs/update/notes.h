@@ -3,30 +3,16 @@
 //   last-try  what became of the last try, and the end of its log
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "appliance/core/update/pending.h"
 #include "drivers/base/result.h"
-#include "drivers/ports/boot_choice.h"
 
 namespace kaori::update {
-
-// An update that is whole in its slot.
-struct Pending {
-  std::uint32_t version = 0;
-  ports::Slot slot = ports::Slot::kB;
-  // How often it was tried; a try that was cut off counts.
-  std::uint32_t tries = 0;
-  friend bool operator==(const Pending&, const Pending&) = default;
-};
-
-// One line, "12 B 1", and back; nothing for a text that is anything else. Pure.
-std::string Format(const Pending& pending);
-std::optional<Pending> ParsePending(std::string_view text);
 
 // One thread. Every call blocks for the disk. An interface, so that tests see in which order things are kept.
 class Notes {

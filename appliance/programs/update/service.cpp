@@ -35,7 +35,8 @@ void UpdateService::Hear() {
   std::array<std::uint8_t, kLongestPacket_bytes> bytes{};
   auto packet = ReceivePacket(client_.get(), bytes);
   if (packet)
-    return Handle({reinterpret_cast<const char*>(bytes.data()), packet->bytes}, std::move(packet->descriptor));
+    return Handle({reinterpret_cast<const char*>(bytes.data()), packet->bytes},
+                  std::move(packet->descriptor));
   if (packet.error().cause == std::errc::resource_unavailable_try_again) return;
   if (installation_) LogWarning("the update is given up: whoever asked for it is gone");
   installation_.reset();

@@ -7,7 +7,8 @@ namespace kaori::update {
 namespace {
 
 // Said where the tried system kept nothing: the kernel stopped, or the firmware started another system than it was told.
-constexpr std::string_view kWithoutAWord = "it never came so far as to say why, or this PC forgets what it is to try";
+constexpr std::string_view kWithoutAWord =
+    "it never came so far as to say why, or this PC forgets what it is to try";
 
 std::string FirstLine(const std::string& text) {
   return text.substr(0, text.find('\n'));

@@ -62,17 +62,17 @@ class ServiceTest : public tests::PackTest {
   board::Keys pressed_;
   Time now_ = Time{} + std::chrono::seconds(1000);
   std::unique_ptr<Folder> shows_ = OpenFolder(folder_ / "shows");
-  InstallService service_{
-      {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays"},
-      *shows_,
-      board_,
-      [this]() -> Result<std::optional<std::filesystem::path>> {
-        if (unreadable_) return FailInput("mount the stick /dev/sdb1");
-        if (!plugged_) return std::optional<std::filesystem::path>();
-        return std::optional(folder_ / "stick");
-      },
-      [this](const std::filesystem::path&) { return trial_; },
-      [this](const std::filesystem::path&) { return support_; }};
+  InstallService service_{{folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report",
+                           folder_ / "plays", (folder_ / "update").string(), folder_ / "pending"},
+                          *shows_,
+                          board_,
+                          [this]() -> Result<std::optional<std::filesystem::path>> {
+                            if (unreadable_) return FailInput("mount the stick /dev/sdb1");
+                            if (!plugged_) return std::optional<std::filesystem::path>();
+                            return std::optional(folder_ / "stick");
+                          },
+                          [this](const std::filesystem::path&) { return trial_; },
+                          [this](const std::filesystem::path&) { return support_; }};
 };
 
 }  // namespace kaori::shows

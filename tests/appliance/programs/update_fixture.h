@@ -89,7 +89,8 @@ class UpdateTest : public ::testing::Test {
   // Bytes that do not pack well, another row for each seed.
   static Bytes Noise(std::size_t bytes, std::uint32_t seed) {
     Bytes noise(bytes);
-    for (std::uint8_t& byte : noise) byte = static_cast<std::uint8_t>((seed = seed * 1664525U + 1013904223U) >> 24U);
+    for (std::uint8_t& byte : noise)
+      byte = static_cast<std::uint8_t>((seed = seed * 1664525U + 1013904223U) >> 24U);
     return noise;
   }
   // The unpacked parts of a version.

@@ -76,7 +76,8 @@ TEST_F(UpdateInstallation, OfOneFlippedBitAnywhereWritesNothing) {
   for (int n = 0; n < kTried; ++n) {
     Bytes altered = bundle;
     const std::size_t in_header = static_cast<std::size_t>(n) * kHeader_bytes / kTried;
-    const std::size_t in_payload = kHeader_bytes + static_cast<std::size_t>(n) * (bundle.size() - kHeader_bytes) / kTried;
+    const std::size_t in_payload =
+        kHeader_bytes + static_cast<std::size_t>(n) * (bundle.size() - kHeader_bytes) / kTried;
     altered[n % 2 == 0 ? in_header : in_payload] ^= static_cast<std::uint8_t>(1U << (n % 8));
     EXPECT_TRUE(IsRefusal(Install(altered).message)) << n;
     ASSERT_TRUE(disk_.events().empty()) << n;

@@ -19,8 +19,12 @@ class Unflushed final : public ports::BlockDevice {
  public:
   explicit Unflushed(ports::BlockDevice& device) : device_(device) {}
   std::uint64_t bytes() const override { return device_.bytes(); }
-  Result<void> Read(std::uint64_t at, std::span<std::uint8_t> into) override { return device_.Read(at, into); }
-  Result<void> Write(std::uint64_t at, std::span<const std::uint8_t> from) override { return device_.Write(at, from); }
+  Result<void> Read(std::uint64_t at, std::span<std::uint8_t> into) override {
+    return device_.Read(at, into);
+  }
+  Result<void> Write(std::uint64_t at, std::span<const std::uint8_t> from) override {
+    return device_.Write(at, from);
+  }
   Result<void> Flush() override { return {}; }
 
  private:
@@ -53,7 +57,8 @@ class UpdatePowerCut : public UpdateTest {
     const auto holds = [&](std::uint64_t at, const Bytes& part) {
       return std::equal(part.begin(), part.end(), flushed_.begin() + static_cast<std::ptrdiff_t>(at));
     };
-    return waiting_.empty() && holds(kRootB, parts[0]) && holds(kVerityB, parts[1]) && holds(kKernelB, parts[3]);
+    return waiting_.empty() && holds(kRootB, parts[0]) && holds(kVerityB, parts[1]) &&
+           holds(kKernelB, parts[3]);
   }
 
   // The faults of the recorded log, by the sentences of the design; `points` counts sectors, at each of which the power
@@ -68,7 +73,8 @@ class UpdatePowerCut : public UpdateTest {
     const auto follow_notes = [&](std::size_t event) {
       for (; note != notes_.changes.end() && note->first <= event; ++note) {
         waits = note->second;
-        if (waits && !IsWholeOnDisk(version)) faults.push_back(fmt::format("event {}: it waits and is not whole", event));
+        if (waits && !IsWholeOnDisk(version))
+          faults.push_back(fmt::format("event {}: it waits and is not whole", event));
       }
     };
     for (std::size_t n = 0; n < disk_.events().size(); ++n) {

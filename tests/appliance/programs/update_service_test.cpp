@@ -119,7 +119,8 @@ TEST_F(UpdateServiceTest, IsIdleWhenNobodyHasAskedForAWhile) {
 TEST(UpdateAnswers, AreTheSameAfterTheirWayAndOtherTextsAreNone) {
   const Answer answer{Message::kOlder, 12, 345, "this box runs version 13"};
   EXPECT_EQ(ParseAnswer(Format(answer)), answer);
-  for (const char* text : {"", "1 2", "99 1 0 x", "a 1 0 x", "-1 1 0 x"}) EXPECT_EQ(ParseAnswer(text), std::nullopt) << text;
+  for (const char* text : {"", "1 2", "99 1 0 x", "a 1 0 x", "-1 1 0 x"})
+    EXPECT_EQ(ParseAnswer(text), std::nullopt) << text;
   EXPECT_LE(Format({Message::kOlder, 1, 0, std::string(5000, 'x')}).size(), kLongestPacket_bytes);
 }
 

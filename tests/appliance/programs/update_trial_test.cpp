@@ -113,7 +113,8 @@ TEST(UpdateConfirmation, GivesWayAfterThreeMinutesWithItsLastFault) {
   const Time began = ManualClock().now();
   Confirmation confirmation(began);
   for (int at = 0; at < 180; at += 5)
-    EXPECT_EQ(confirmation.Observe(at % 50 == 0 ? "it flickers" : "", began + seconds(at)), Verdict::kLooking) << at;
+    EXPECT_EQ(confirmation.Observe(at % 50 == 0 ? "it flickers" : "", began + seconds(at)), Verdict::kLooking)
+        << at;
   EXPECT_EQ(confirmation.Observe("", began + seconds(180)), Verdict::kGivesWay);
   EXPECT_EQ(confirmation.reason(), "it flickers");
 }
