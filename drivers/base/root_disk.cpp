@@ -1,8 +1,10 @@
 #include "drivers/base/root_disk.h"
 
 #include <system_error>
+#include <vector>
 
 #include "drivers/base/folder.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori {
 namespace {
@@ -21,6 +23,19 @@ std::optional<std::filesystem::path> DiskOfRoot(const std::filesystem::path& blo
   const auto partition = std::filesystem::canonical(slaves->front(), failed);
   if (failed) return std::nullopt;
   return partition.parent_path();
+}
+
+// The name is that of the partition table (GPT), which the image's own table sets; uevent has it as a line. Partitions
+// are folders of their disk's folder in sysfs.
+std::optional<std::string> PartitionBesideRoot(const std::filesystem::path& blocks, std::string_view name) {
+  const auto disk = DiskOfRoot(blocks);
+  if (!disk) return std::nullopt;
+  const std::string wanted = "\nPARTNAME=" + std::string(name) + "\n";  // A whole line.
+  for (const auto& partition : ListFolder(*disk).value_or(std::vector<std::filesystem::path>{})) {
+    const std::string facts = "\n" + ReadFile(partition / "uevent").value_or("") + "\n";
+    if (facts.find(wanted) != std::string::npos) return partition.filename().string();
+  }
+  return std::nullopt;
 }
 
 }  // namespace kaori

@@ -143,6 +143,8 @@ std::vector<Check> SpeedChecks();
 std::vector<Check> AloneChecks();
 // PCs with Secure Boot start what is signed.
 std::vector<Check> SecureBootChecks();
+// An update by stick, in a PC with UEFI.
+std::vector<Check> UpdateChecks();
 // The box on a USB stick and on an SD card, as its only disk.
 std::vector<Check> MediumChecks();
 // A changed root is refused, and UEFI starts the disk.

@@ -78,7 +78,8 @@ std::vector<Check> AllChecks() {
         ToolChecks(),     AuthorisationChecks(), AloneChecks(),      SpeedChecks(),   GadgetChecks(),
         LoopChecks(),     DamagedDiskChecks(),   SamplingChecks(),   DisplayChecks(), OutputChecks(),
         LastFaceChecks(), RecoveryChecks(),      PowerChecks(),      StickChecks(),   BackupChecks(),
-        DataChecks(),     DiskChecks(),          SecureBootChecks(), StartChecks(),   MediumChecks()})
+        DataChecks(),     DiskChecks(),          SecureBootChecks(), StartChecks(),   MediumChecks(),
+        UpdateChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

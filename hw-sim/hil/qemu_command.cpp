@@ -206,7 +206,11 @@ std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& se
   // QEMU's chip set is strapped so that its watchdog resets nothing, unless it is told.
   if (setup.watchdog_resets) Add(command, {"-global", "ICH9-LPC.noreboot=off"});
   if (!setup.agent) {
-    Add(command, {"-serial", "file:" + ConsolePath(options), "-device", "qemu-xhci"});
+    Add(command, {"-serial", "file:" + ConsolePath(options)});
+    if (setup.plugged)
+      AddUsb(options, setup, command);
+    else
+      Add(command, {"-device", "qemu-xhci"});
     return command;
   }
   Add(command,

@@ -6,6 +6,7 @@ readonly IMAGE_PACKAGES=(
   linux-source-6.12 make gcc ccache flex bison bc libelf-dev libssl-dev lz4)
 readonly KEYS_PACKAGES=(openssl efitools sbsigntool)
 readonly SECURE_BOOT_KEYS=out/keys/secure-boot
+readonly UPDATE_KEYS=$KEYS/update  # Of updates of the box: -1.key signs, -2.key waits for the day on which that is lost.
 readonly LISTS_RENEWED=out/image/packages.asked
 readonly BOOT_PACKAGES=(qemu-system-x86 python3)
 
@@ -42,22 +43,57 @@ keys() {
   say "the keys are in $folder; whoever has those that end in .key can sign for your boxes, so keep them where nobody else comes"
 }
 
+# Makes both keys for updates of the box, once. An image trusts both, so that the second can follow on the first.
+make_update_keys() {
+  local number
+  for number in 1 2; do
+    [ ! -f "$UPDATE_KEYS-$number.key" ] || continue
+    build release kaori-atelier
+    mkdir -p "$KEYS"
+    $BIN/kaori-atelier keygen "$UPDATE_KEYS-$number.key" >&2 || fail "the keys for updates could not be made"
+    say "$UPDATE_KEYS-$number.key is new; whoever has it can change your boxes, so keep it where nobody else comes"
+  done
+}
+
+# An update of the box, of an image that was built: for a stick.
+bundle() {
+  local image=out/image key=$UPDATE_KEYS-1.key news='' from='' to='' version
+  while [ $# -gt 0 ]; do
+    [[ $1 =~ ^--(image|key|news|from|to)$ ]] || fail "bundle knows no $1; see ./box help"
+    [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
+    case $1 in
+      --news | --from) local "${1#--}=$2" ;;
+      *) local "${1#--}=$(from_caller "$2")" ;;
+    esac
+    shift 2
+  done
+  [ -f "$image/root.erofs" ] || fail "there is no image in $image; ./box image builds one"
+  [ -f "$key" ] || fail "there is no key $key, which signs; ./box image makes one and has the box trust it"
+  grep -qrsF "$(cat "$key.pub")" "$image/root/usr/share/kaori/update-keys" ||
+    fail "the image in $image does not trust the key $key: a box that had it would take no update any more"
+  need "${BUILD_PACKAGES[@]}"
+  build release kaori-bundle
+  version=$(sed -n 's/^version //p' "$image/root/usr/share/kaori/version")
+  $BIN/kaori-bundle --image "$image" --key "$key" --news "$news" --from "${from:-1}" --to "${to:-out/kaori-$version.kaoriupdate}" ||
+    fail "no update was made; the reason stands above"
+}
+
 # shellcheck disable=SC2120  # ./box gives it its words.
 image() {
   local out=out/image programs='' disk='' pack='' firmware='' trust='' value stale='' option
-  local medium='' graphics='' gpu_firmware='' secure_boot=''
+  local medium='' graphics='' gpu_firmware='' secure_boot='' version=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --stale ]; then stale=yes; shift; continue; fi
-    [[ $1 =~ ^--(out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot)$ ]] || fail "image knows no $1; see ./box help"
+    [[ $1 =~ ^--(out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot|version)$ ]] || fail "image knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
-    [[ $1 =~ ^--(disk|medium|graphics)$ ]] || value=$(from_caller "$2")
+    [[ $1 =~ ^--(disk|medium|graphics|version)$ ]] || value=$(from_caller "$2")
     option=${1#--}
     local "${option//-/_}=$value"
     shift 2
   done
   if [ -n "$stale" ]; then
-    [ -z "$programs$disk$pack$firmware$trust$medium$graphics$gpu_firmware$secure_boot" ] ||
+    [ -z "$programs$disk$pack$firmware$trust$medium$graphics$gpu_firmware$secure_boot$version" ] ||
       fail "image --stale looks at an image and builds none; it takes --out alone"
     name_stale "$out"
   fi
@@ -73,8 +109,10 @@ image() {
   [ -n "$(find $LISTS_RENEWED -mtime -1 2>/dev/null)" ] || renew_lists -n
   [ -n "$programs" ] || build release programs kaori-bench
   [ -z "$pack" ] || choose_pack "$pack"
+  make_update_keys
   rootfs/image/build --out "$out" --programs "${programs:-$BIN}" --kept out/image ${disk:+--disk "$disk"} \
     ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ${trust:+--trust "$trust"} ${medium:+--medium "$medium"} \
+    --update-key "$UPDATE_KEYS-1.key.pub" --update-key "$UPDATE_KEYS-2.key.pub" ${version:+--version "$version"} \
     ${graphics:+--graphics "$graphics"} ${gpu_firmware:+--gpu-firmware "$gpu_firmware"} ${secure_boot:+--secure-boot "$secure_boot"} ||
     fail "the image could not be built; the reason stands above"
 }

@@ -110,7 +110,7 @@ def make_data(out, size_mib):
     for change in ("mkdir journal", "mkdir settings", f"write {settings} settings/box.toml",
                    *(f"set_inode_field settings/box.toml {field}" for field in ("uid 0", "gid 0", "mode 0100644")),
                    *folder_of("own", users["kaori-stage"]), *folder_of("lips", users["kaori-lips"]),
-                   *folder_of("input", users["kaori-input"]), *folder_of("desk", users["kaori-desk"]), "mkdir shows", "mkdir restore", "set_inode_field restore mode 040711"):
+                   *folder_of("input", users["kaori-input"]), *folder_of("desk", users["kaori-desk"]), "mkdir shows", "mkdir update", "mkdir restore", "set_inode_field restore mode 040711"):
         run("debugfs", "-w", "-R", change, data)
     return data
 

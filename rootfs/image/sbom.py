@@ -33,7 +33,7 @@ SHOW = (f"{SHARED}/kaori.kaori", f"{SHARED}/still.ppm")
 OWN = (f"{SHARED}/surfaces/", f"{SHARED}/firmware/", f"{BOOT}/loader/")
 LOADER = (f"{BOOT}/EFI/BOOT/BOOTX64.EFI", "usr/lib/systemd/boot/efi/systemd-bootx64.efi")
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
-KEYS = (f"{SHARED}/keys/", f"{BOOT}/loader/keys/")
+KEYS = (f"{SHARED}/keys/", f"{SHARED}/update-keys/", f"{BOOT}/loader/keys/")
 GPU_FIRMWARE = "usr/lib/firmware/"
 
 
@@ -149,7 +149,7 @@ def of_project(places, found):
              ("stand-ins", "kaori-stand-ins", "libraries without functions, of the names of others", OWN_LICENCE),
              ("made", "kaori-made", "what the build made: kernels with their command lines, compiled shaders, lists", "NOASSERTION"),
              ("show", "kaori-show", "the show, and a picture of its first moment", "NOASSERTION"),
-             ("keys", "kaori-keys", "public keys: whose shows the box plays, what a PC's Secure Boot enrols", "NOASSERTION"),
+             ("keys", "kaori-keys", "public keys: whose shows the box plays, whose updates it takes, what a PC's Secure Boot enrols", "NOASSERTION"),
              ("gpu-firmware", "gpu-firmware", "files of the makers of graphics cards, as whoever built the image gave them; their "
               "licences are their makers', and go along with the files", "NOASSERTION"))
     for key, name, what, licence in kinds:

@@ -56,8 +56,20 @@ pack_small_show() {
     fail "the show of a stick could not be packed; see $LOGS/sticks.log"
 }
 
-# Three sticks: a show of a theatre that the box does not know, with its key, in a partition as sticks are sold; another
-# show with some bytes changed, on a stick without partitions; and an empty one.
+# An update of the box: the image's own system again, which its box takes. None of an image that trusts no key of ours.
+make_update_stick() {
+  local key=out/keys/update-1.key
+  if [ ! -f $key ] || ! grep -qrsF "$(cat $key.pub)" out/image/root/usr/share/kaori/update-keys; then return 0; fi
+  build release kaori-bundle
+  $BIN/kaori-bundle --image out/image --key $key --news "the same again" --to $STICKS/box.kaoriupdate >"$LOGS/sticks.log" 2>&1 &&
+    mkfs.vfat -F 32 -n STICK -C $STICKS/update.stick 163840 >>"$LOGS/sticks.log" &&
+    mcopy -i $STICKS/update.stick $STICKS/box.kaoriupdate ::/ >>"$LOGS/sticks.log" 2>&1 ||
+    fail "the stick with an update could not be made; see $LOGS/sticks.log"
+  rm $STICKS/box.kaoriupdate
+}
+
+# Four sticks: a show of a theatre that the box does not know, with its key, in a partition as sticks are sold; another
+# show with some bytes changed, on a stick without partitions; an empty one; and an update of the box.
 make_sticks() {
   local folder
   say "making sticks"
@@ -75,6 +87,7 @@ make_sticks() {
   fill_stick 2048 $STICKS/evening.stick "$folder/evening.kaori" "$folder/theatre.pub"
   printf 'damaged' | dd of="$folder/matinee.kaori" bs=1 seek=$(($(stat -c %s "$folder/matinee.kaori") / 2)) conv=notrunc status=none
   fill_stick 0 $STICKS/damaged.stick "$folder/matinee.kaori"
+  make_update_stick
   truncate -s 64M $STICKS/empty.stick
   mkfs.vfat -F 32 -n STICK $STICKS/empty.stick >"$LOGS/sticks.log" || fail "a stick could not be made; see $LOGS/sticks.log"
   rm -r "$folder"

@@ -108,6 +108,13 @@ TEST(QemuCommand, StartsTheDiskByItselfWhereTheFirmwareShall) {
   EXPECT_THAT(pc, Contains("file:/f/console.log")) << "without an agent the serial line is a log";
 }
 
+TEST(QemuCommand, HasRoomForTheDevicesWithoutAnAgentToo) {
+  const QemuOptions options{.image = "i", .folder = "/f"};
+  EXPECT_THAT(QemuCommand(options, {.agent = false}, "line", "d"), Contains(HasSubstr("qemu-xhci,id=xhci,")));
+  EXPECT_THAT(QemuCommand(options, {.plugged = false, .agent = false}, "line", "d"),
+              Not(Contains(HasSubstr("qemu-xhci,id=xhci,"))));
+}
+
 TEST(QemuCommand, KeepsWhatIsWrittenOnlyWhereACheckWantsIt) {
   const QemuOptions options{.image = "i", .folder = "/f"};
   EXPECT_THAT(QemuCommand(options, {}, "line", "d"), Contains(HasSubstr("snapshot=on")));

@@ -7,11 +7,11 @@ _BASE = ("firmware/wire/", "drivers/base/")
 _PORTS = _BASE + ("drivers/ports/",)
 _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog", "backup", "restore"))
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog", "backup", "restore", "update"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
-CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "serial", "midi", "gpio", "camera", "audio", "scanout"))
+CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "serial", "midi", "gpio", "camera", "audio", "scanout", "loader"))
 
 # (room, what it may include besides itself). The first row whose room begins the path counts. Every room exists.
 MAY_INCLUDE = (
@@ -36,6 +36,7 @@ MAY_INCLUDE = (
     ("appliance/core/store/", ("drivers/base/",)),
     ("appliance/core/restore/", ("drivers/base/", "appliance/core/store/")),
     ("appliance/core/backup/", ("drivers/base/", "appliance/core/restore/", "appliance/core/show/", "appliance/core/store/")),
+    ("appliance/core/update/", _PORTS + ("appliance/core/show/",)),
     ("appliance/core/roles/", ("drivers/base/", "appliance/core/toml/", "appliance/core/show/", "render/face/", "render/scene/")),
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
     ("appliance/core/linecheck/", _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
@@ -49,10 +50,11 @@ MAY_INCLUDE = (
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
     ("appliance/programs/monitor/", _PROGRAM + ("appliance/programs/status/",)),
-    ("appliance/programs/shows/", _BASE + ("appliance/core/backup/", "appliance/core/board/", "appliance/core/restore/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
-                                           "appliance/programs/status/",
-                                           # A settings file is judged by the programs that will read it.
-                                           "appliance/programs/boot/", "appliance/programs/input/")),
+    ("appliance/programs/shows/", _PORTS + ("appliance/core/backup/", "appliance/core/board/", "appliance/core/restore/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
+                                            "appliance/core/update/", "appliance/programs/status/",
+                                            # A settings file is judged by the programs that will read it.
+                                            "appliance/programs/boot/", "appliance/programs/input/")),
+    ("appliance/programs/update/", _PORTS + ("appliance/core/show/", "appliance/core/update/")),
     ("appliance/programs/lips/protocol/", _BASE),
     ("appliance/programs/lips/", _PROGRAM),
     ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/monitor/", "appliance/programs/status/")),
@@ -94,6 +96,7 @@ LIBRARIES = (
     (("gnutls/",), ("appliance/programs/desk/",)),
     (("nlohmann/",), ("hw-sim/",)),
     (("usbredir",), ("hw-sim/links/",)),
+    (("zstd.h",), ("appliance/core/update/",)),
 )
 
 # Firmware knows no operating system: only these of the standard library.

@@ -21,7 +21,6 @@
 #include "appliance/core/store/choice.h"
 #include "appliance/programs/boot/ahead.h"
 #include "appliance/programs/boot/card.h"
-#include "appliance/programs/boot/data_partition.h"
 #include "appliance/programs/boot/known_shaders.h"
 #include "appliance/programs/boot/machine_id.h"
 #include "appliance/programs/boot/network.h"
@@ -32,6 +31,7 @@
 #include "appliance/programs/boot/still.h"
 #include "appliance/programs/boot/usb_medium.h"
 #include "drivers/base/read_file.h"
+#include "drivers/base/root_disk.h"
 #include "drivers/base/whole_file.h"
 
 namespace {
@@ -147,7 +147,7 @@ constexpr std::array<const char*, 3> kSuperblocks{"", "sb=8193", "sb=131072"};
 bool MountData() {
   ::mount("proc", "/proc", "proc", kPlainMount, nullptr);
   ::mount("sysfs", "/sys", "sysfs", kPlainMount, nullptr);
-  const auto partition = kaori::boot::FindDataPartition("/sys/class/block");
+  const auto partition = kaori::PartitionBesideRoot("/sys/class/block", "data");
   if (!partition) return Report("there is no data partition beside the root: nothing is kept"), false;
   const std::string device = "/dev/" + *partition;
   const auto mounts = [&](const char* options) {

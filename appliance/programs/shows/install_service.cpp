@@ -74,6 +74,8 @@ void InstallService::Step(Time now) {
     StepInstallation();
   } else if (of_box_.copies != nullptr && of_box_.copies->busy()) {
     StepCopies(now);
+  } else if (update_) {
+    FollowUpdate();
   } else if (IsBusyElsewhere(now)) {
     menu_.Shut();
     menu_.ForgetPresses();
@@ -108,7 +110,7 @@ void InstallService::Look(Time now) {
   FollowChosen();
   if (!std::exchange(has_looked_, true)) OfferBefore();
   auto looked = look_();
-  const bool is_busy = installation_ || (of_box_.copies != nullptr && of_box_.copies->busy());
+  const bool is_busy = installation_ || update_ || (of_box_.copies != nullptr && of_box_.copies->busy());
   if (!looked && !is_busy) TellOfStick(Message::kUnreadable, looked.error().message());
   auto stick = looked.value_or(std::nullopt);
   const bool is_another = stick != stick_, is_out = looked && !stick;
@@ -174,6 +176,8 @@ void InstallService::Accept(const Choosable& taken) {
   if (taken.kind == Choosable::Kind::kShow) return Install(taken);
   if (taken.kind == Choosable::Kind::kKey) return AcceptKey(taken);
   if (taken.kind == Choosable::Kind::kBack) return GoBack(taken);
+  if (taken.kind == Choosable::Kind::kUpdate || taken.kind == Choosable::Kind::kRestart)
+    return CallUpdate(taken);
   if (of_box_.settings != nullptr && IsOfSettings(taken)) return AcceptSettings(taken);
   if (taken.kind != Choosable::Kind::kSupport) return AcceptCopy(taken);
   writes_support_ = true;

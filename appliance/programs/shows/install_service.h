@@ -9,6 +9,8 @@
 #include <string>
 
 #include "appliance/core/board/board.h"
+#include "appliance/core/update/caller.h"
+#include "appliance/core/update/pending.h"
 #include "appliance/programs/shows/box_copies.h"
 #include "appliance/programs/shows/box_settings.h"
 #include "appliance/programs/shows/installation.h"
@@ -30,6 +32,9 @@ struct ServicePlaces {
   std::filesystem::path
       // What the stage says of the show that plays: appliance/core/store/play_log.h.
       plays{};
+  // Where kaori-update listens, and the note of an update that waits.
+  std::string update_socket = update::kSocket;
+  std::filesystem::path pending = update::kPendingFile;
 };
 
 // Gives the folder in which a stick is mounted; nothing while none is; an error where one is plugged in that
@@ -92,7 +97,7 @@ class InstallService {
   // Chooses a show that is on the box; the stage is told.
   void GoBack(const Choosable& taken);
   void Install(const Choosable& taken);
-  // The ways back to shows, and what backups and restores offer.
+  // The ways back to shows, the restart that tries an update, and what backups, restores and settings offer.
   std::vector<Choosable> WaysBackOnBox(bool has_stick) const;
   // Something of BoxCopies was taken, or what it asks is answered.
   void AcceptCopy(const Choosable& taken);
@@ -106,10 +111,16 @@ class InstallService {
   void WriteSupport();
   // The next piece; tells what has changed, and the stage where the show is on the box.
   void StepInstallation();
+  // Asks kaori-update for it: an update is brought in, or tried by a restart.
+  void CallUpdate(const Choosable& taken);
+  // What it answers.
+  void FollowUpdate();
   // Says it on the screen, and in the log where it is another message than before.
   void Tell(Message message, const std::string& name = {}, const std::string& reason = {});
   // The same of the stick that is in, with which it goes.
   void TellOfStick(Message message, const std::string& reason = {});
+  // The same of an update; the log hears each message once.
+  void TellOfUpdate(const update::Answer& answer);
   // Writes what is said to the screen, with the list as it is.
   void Show();
   // Shows the list where it was opened, and takes it away where it was shut.
@@ -134,14 +145,18 @@ class InstallService {
   // Of what is being installed.
   std::string name_;
   bool writes_support_ = false;
+  // While kaori-update is at it.
+  std::optional<update::Caller> update_;
   // What was chosen and has not been seen to play yet, and the frames of the board when the stage had begun it.
   std::optional<store::Choice> awaited_;
   std::optional<std::uint32_t> frames_at_begin_;
   // What is said.
   struct Said {
     Message message = Message::kPlugIn;
-    std::string name, detail;
+    std::string name{}, detail{};
     bool of_stick = false;
+    // In place of the message.
+    std::optional<update::Answer> of_update{};
   };
   std::optional<Said> said_;
   // The text on the screen.

@@ -47,6 +47,7 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --plugged          whatever lies in --stick is the stick: nothing is mounted
   --journalctl PROGRAM  reads the journal for a support file (/usr/bin/journalctl)
   --journal FOLDER   where the journal lies (that of this system)
+  --update SOCKET    where kaori-update listens, which brings updates of the box in (/run/kaori-update-socket)
   --install FILE     instead: installs this pack, says how it went, and ends
   --support FOLDER   instead: writes a support file into this folder, says its name, and ends
   --backup FOLDER    instead: writes a backup of the box into this folder, says its name, and ends
@@ -61,7 +62,7 @@ struct Settings {
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
               trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
               report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
-              journal, install, support, backup, diff, restore;
+              journal, install, support, backup, diff, restore, update = kaori::update::kSocket;
   bool plugged = false, with_name = false, at_once = false;
 };
 
@@ -214,8 +215,9 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), trial);
   kaori::shows::BoxSettings box_settings({.data = fs::path(settings.shows).parent_path(),
                                           .screens = fs::path(settings.board).parent_path() / "screens"});
-  kaori::shows::InstallService service({settings.root_keys, settings.keys, settings.report, plays}, *folder,
-                                       *board, look, trial, support, {&copies, &box_settings});
+  kaori::shows::InstallService service(
+      {settings.root_keys, settings.keys, settings.report, plays, settings.update}, *folder, *board, look,
+      trial, support, {&copies, &box_settings});
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();
@@ -248,6 +250,7 @@ int main(int argc, char** argv) {
       .Switch("--plugged", settings.plugged)
       .Text("--journalctl", settings.journalctl)
       .Text("--journal", settings.journal)
+      .Text("--update", settings.update)
       .Text("--install", settings.install)
       .Text("--support", settings.support);
   options.Text("--backup", settings.backup)

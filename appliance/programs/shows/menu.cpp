@@ -22,6 +22,7 @@ std::vector<std::uint32_t> Since(std::optional<std::uint32_t>& seen, const board
 // In front of its name, for what comes from a stick and is no show.
 std::string KindOf(const Choosable& choice) {
   if (choice.kind == Choosable::Kind::kKey) return "key ";
+  if (choice.kind == Choosable::Kind::kUpdate) return "update ";
   if (choice.kind == Choosable::Kind::kRestore) return "restore ";
   return choice.kind == Choosable::Kind::kSettingsFile ? "settings " : "";
 }

@@ -6,7 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "appliance/core/update/bundle.h"
+#include "appliance/core/update/pending.h"
 #include "appliance/programs/shows/choice_files.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
 namespace {
@@ -16,6 +20,14 @@ constexpr std::size_t kRoomForKeys = 2;  // In a list that has more shows than i
 // As people compare it with what a stick holds: decimal, without a fraction.
 std::string Megabytes(std::uint64_t bytes) {
   return fmt::format("{:.0f} MB", static_cast<double>(bytes) * 1e-6);
+}
+
+// Of its header, which is signed by somebody: whether it is trusted is said when it is taken.
+std::string WordsOf(const Offer& offer) {
+  const auto head = ReadBeginning(offer.file, update::kHeader_bytes);
+  const auto manifest = update::ReadHeader(AsBytes(head.value_or("")), offer.bytes);
+  if (!manifest) return "no update that can be read";
+  return fmt::format("version {}{}{}", manifest->version, manifest->news.empty() ? "" : ", ", manifest->news);
 }
 
 }  // namespace
@@ -36,15 +48,26 @@ std::vector<Choosable> WaysBack(const Folder& shows) {
   return ways;
 }
 
+std::vector<Choosable> WaysOn(const std::filesystem::path& pending) {
+  constexpr std::size_t kMostNote_bytes = 64;
+  const auto waits = update::ParsePending(ReadFile(pending, {.most_bytes = kMostNote_bytes}).value_or(""));
+  if (!waits) return {};
+  return {{.kind = Choosable::Kind::kRestart,
+           .offer = {.file = {}, .name = fmt::format("restart the box to try version {}", waits->version)},
+           .remark = {}}};
+}
+
 // Shows first, so that their numbers do not depend on the keys beside them; of many shows some have to give
-// their numbers to keys, without which they might not be trusted. A file that holds no key is not offered.
+// their numbers to keys, without which they might not be trusted. A file that holds no key is not offered. Updates
+// come behind the shows.
 Result<Offered> OffersOf(const std::filesystem::path& stick, const std::vector<Choosable>& below) {
-  const auto packs = ListShows(stick), backups = ListBackups(stick), settings = ListSettings(stick),
-             keys = ListKeys(stick);
-  for (const auto* list : {&packs, &backups, &settings, &keys})
+  const auto packs = ListShows(stick), updates = ListUpdates(stick), backups = ListBackups(stick),
+             settings = ListSettings(stick), keys = ListKeys(stick);
+  for (const auto* list : {&packs, &updates, &backups, &settings, &keys})
     if (!*list) return tl::unexpected(list->error());
   std::vector<Choosable> choices, of_keys;
   for (const auto& offer : *packs) choices.push_back({Choosable::Kind::kShow, offer, Megabytes(offer.bytes)});
+  for (const auto& offer : *updates) choices.push_back({Choosable::Kind::kUpdate, offer, WordsOf(offer)});
   for (const auto& offer : *backups)
     choices.push_back({Choosable::Kind::kRestore, offer, Megabytes(offer.bytes)});
   for (const auto& offer : *settings) choices.push_back({Choosable::Kind::kSettingsFile, offer, {}});

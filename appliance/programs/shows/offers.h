@@ -13,7 +13,7 @@ namespace kaori::shows {
 // A list, in the order of its numbers.
 struct Offered {
   std::vector<Choosable> choices;
-  // So many of them, the first ones, are shows and keys of the stick.
+  // So many of them, the first ones, are shows, updates and keys of the stick.
   std::size_t of_stick = 0;
   // So many more lie on it, which have no number.
   std::size_t left_out = 0;
@@ -22,6 +22,9 @@ struct Offered {
 // The shows on the box to which one can go back: the one before the chosen one, where it is still there, and
 // the root's. Blocks for the disk.
 std::vector<Choosable> WaysBack(const Folder& shows);
+
+// The restart that tries the update that waits, by its note; nothing where none does. Blocks for the disk.
+std::vector<Choosable> WaysOn(const std::filesystem::path& pending);
 
 // What lies at the top of the stick, and `below` it the rest of the list, which keeps its numbers however
 // much lies there. Blocks for the stick. Errors: those of ListShows.

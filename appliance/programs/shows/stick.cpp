@@ -56,6 +56,10 @@ Result<std::vector<Offer>> ListShows(const fs::path& stick) {
   return List(stick, ".kaori");
 }
 
+Result<std::vector<Offer>> ListUpdates(const fs::path& stick) {
+  return List(stick, ".kaoriupdate");
+}
+
 Result<std::vector<Offer>> ListKeys(const fs::path& stick) {
   return List(stick, ".pub");
 }

@@ -33,6 +33,9 @@ std::string Printable(std::string text, std::size_t most);
 // opendir(3).
 Result<std::vector<Offer>> ListShows(const std::filesystem::path& stick);
 
+// As ListShows, of the files *.kaoriupdate.
+Result<std::vector<Offer>> ListUpdates(const std::filesystem::path& stick);
+
 // As ListShows, of the files *.pub.
 Result<std::vector<Offer>> ListKeys(const std::filesystem::path& stick);
 

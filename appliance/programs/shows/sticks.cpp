@@ -37,7 +37,8 @@ void Sticks::Leave() {
 
 bool Sticks::HoldsSomething() const {
   const auto holds = [](const Result<std::vector<Offer>>& listed) { return listed && !listed->empty(); };
-  return holds(ListShows(at_)) || holds(ListKeys(at_)) || holds(ListBackups(at_)) || holds(ListSettings(at_));
+  return holds(ListShows(at_)) || holds(ListKeys(at_)) || holds(ListUpdates(at_)) ||
+         holds(ListBackups(at_)) || holds(ListSettings(at_));
 }
 
 void Sticks::Try(const std::string& device) {

@@ -266,9 +266,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (auto begun = session.Begin(); !begun) return kaori::ExitWithError(begun.error());
   kaori::Log("the first picture is drawn");
   clock.LetGo();
-  if (!settings.still.empty())
-    if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
-      return kaori::ExitWithError(written.error());
+  if (auto ok = WriteStills(**studio, kaori::stage::StillFilesOf(settings), loop); !ok)
+    return kaori::ExitWithError(ok.error());
   if (auto ok = BecomeReady(card.get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
   const kaori::status::Places said{settings.settings,
                                    std::filesystem::path(settings.board).parent_path() / "screens"};

@@ -32,6 +32,7 @@ constexpr std::string_view kStageHelp = R"(kaori-stage: draws the face that the 
   --settings FOLDER what the box was told when it started (/run/kaori-profile)
   --fdkeeper SOCKET where the card is kept while no stage runs
   --still FILE    writes the show's first moment there, as a PPM
+  --looked-at FILE while this file is there, what is shown is written each second to look.ppm beside the board
   --early         sample the input right after each flip, not as late as drawing allows: to compare
 )";
 
@@ -59,6 +60,7 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
       .Text("--settings", into.settings)
       .Text("--fdkeeper", into.fdkeeper)
       .Text("--still", into.still)
+      .Text("--looked-at", into.looked_at)
       .Switch("--early", into.early)
       .Switch("--verified", into.verified);
   if (const auto status = options.Parse(argc, argv)) return status;
@@ -72,6 +74,10 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
     return 2;
   }
   return std::nullopt;
+}
+
+StillFiles StillFilesOf(const StageOptions& options) {
+  return {options.still, options.looked_at, std::filesystem::path(options.board).parent_path() / "look.ppm"};
 }
 
 }  // namespace kaori::stage

@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::stage {
 namespace {
 
 constexpr int kMostWidth_px = 960;
+constexpr Duration kLookPeriod = std::chrono::seconds(1);
 constexpr std::size_t kHeld_bytes = 4, kWritten_bytes = 3;
 
 // R, G, B of each pixel: a PPM has no fourth byte.
@@ -31,6 +33,19 @@ Result<void> WriteStill(Studio& studio, const std::filesystem::path& file) {
   const std::string head = fmt::format("P6\n{} {}\n255\n", image.width_px, image.height_px);
   const std::vector<std::uint8_t> first(head.begin(), head.end()), rest = WithoutFourth(image.pixels);
   return WriteWholeFile(file, {first, rest});
+}
+
+// A picture that cannot be written is missing, and whoever looks for it says so.
+Result<void> WriteStills(Studio& studio, const StillFiles& files, EventLoop& loop) {
+  if (!files.once.empty())
+    if (auto written = WriteStill(studio, files.once); !written) return written;
+  if (files.wanted.empty()) return {};
+  return loop.Every(kLookPeriod, [&studio, files] {
+    std::error_code none;
+    if (!std::filesystem::exists(files.wanted, none)) return;
+    if (auto written = WriteStill(studio, files.looked); !written)
+      LogWarning("{}", written.error().message());
+  });
 }
 
 }  // namespace kaori::stage

@@ -5,6 +5,7 @@
 
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/event_loop.h"
 
 namespace kaori::stage {
 
@@ -26,5 +27,19 @@ class StillClock final : public Clock {
 //   no_such_device  nothing was drawn: there is no screen
 //   those of WriteWholeFile
 Result<void> WriteStill(Studio& studio, const std::filesystem::path& file);
+
+// Where pictures of what is shown go.
+struct StillFiles {
+  // Written once; empty: not.
+  std::filesystem::path once{};
+  // `looked` is written anew each second while the file `wanted` is there; empty: never. A new version of the box's
+  // system is judged by it (kaori-update).
+  std::filesystem::path wanted{};
+  std::filesystem::path looked{};
+};
+
+// Writes `once`, and has the loop write the other. The studio must outlive the loop. Errors: those of WriteStill for
+// `once`, and of EventLoop::Every.
+Result<void> WriteStills(Studio& studio, const StillFiles& files, EventLoop& loop);
 
 }  // namespace kaori::stage

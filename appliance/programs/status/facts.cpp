@@ -42,7 +42,9 @@ Facts ReadFacts(const Places& places) {
               WordOf(places.settings / "status_screen"), WordOf(places.settings / "monitor_screen"),
               LinesOf(places.settings / "faults"),       ParseScreens(ReadFile(places.screens).value_or("")),
               LinesOf(places.notices / "power"),         LinesOf(places.shows)};
-  std::erase_if(facts.shows, [](const std::string& line) { return !std::ranges::all_of(line, IsAscii); });
+  facts.update = LinesOf(places.update);
+  for (auto* lines : {&facts.shows, &facts.update})
+    std::erase_if(*lines, [](const std::string& line) { return !std::ranges::all_of(line, IsAscii); });
   std::error_code none;
   for (const char* profile : kProfiles)
     if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;

@@ -15,6 +15,8 @@ struct Places {
   std::filesystem::path settings = "/run/kaori-profile";  // What kaori-boot leaves there.
   std::filesystem::path screens = "/run/kaori/screens";   // The stage's screens_file.h.
   std::filesystem::path notices = "/run/kaori-notices";   // What kaori-power leaves there.
+  // What kaori-update says of an update that waits, is tried or gave way.
+  std::filesystem::path update = "/run/kaori-update/notice";
   // What kaori-shows says while the service key is on.
   std::filesystem::path shows = "/run/kaori-shows/lines";
 };
@@ -36,6 +38,8 @@ struct Facts {
   // Which shows a stick holds, and how bringing one in stands; those of its lines that the font has letters
   // for.
   std::vector<std::string> shows{};
+  // How an update of the box stands, as for `shows`.
+  std::vector<std::string> update{};
 
   friend bool operator==(const Facts&, const Facts&) = default;
 };

@@ -91,19 +91,19 @@ class ServiceTest : public tests::PackTest {
                          }},
                     [this](const std::filesystem::path&) { return trial_; }};
   BoxSettings settings_{{.data = folder_, .zones = folder_ / "zones", .screens = folder_ / "screens"}};
-  InstallService service_{
-      {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays"},
-      *shows_,
-      board_,
-      [this]() -> Result<std::optional<std::filesystem::path>> {
-        if (unreadable_) return FailInput("mount the stick /dev/sdb1");
-        if (!plugged_) return std::optional<std::filesystem::path>();
-        return std::optional(folder_ / "stick");
-      },
-      [this](const std::filesystem::path&) { return trial_; },
-      [this](const std::filesystem::path&) { return support_; },
-      {.copies = offers_ == Offers::kCopies ? &copies_ : nullptr,
-       .settings = offers_ == Offers::kSettings ? &settings_ : nullptr}};
+  InstallService service_{{folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report",
+                           folder_ / "plays", (folder_ / "update").string(), folder_ / "pending"},
+                          *shows_,
+                          board_,
+                          [this]() -> Result<std::optional<std::filesystem::path>> {
+                            if (unreadable_) return FailInput("mount the stick /dev/sdb1");
+                            if (!plugged_) return std::optional<std::filesystem::path>();
+                            return std::optional(folder_ / "stick");
+                          },
+                          [this](const std::filesystem::path&) { return trial_; },
+                          [this](const std::filesystem::path&) { return support_; },
+                          {.copies = offers_ == Offers::kCopies ? &copies_ : nullptr,
+                           .settings = offers_ == Offers::kSettings ? &settings_ : nullptr}};
 };
 
 }  // namespace kaori::shows

@@ -51,6 +51,11 @@ TEST_F(StatusWords, AnUnpluggedDeviceIsNamedWithTheTimeSince) {
   EXPECT_THAT(Said("dial box"), HasSubstr("It was unplugged 2 hours ago;"));
 }
 
+TEST_F(StatusWords, AnUpdateThatGaveWayIsSaidWithItsReason) {
+  state_.facts.update = {"version 12: it was tried and gave way; the system before plays (it is black)"};
+  EXPECT_THAT(Said("update"), HasSubstr("- version 12: it was tried and gave way"));
+}
+
 TEST_F(StatusWords, AShowThatWasRefusedHasTheMarkOfAFaultAndAListHasNot) {
   state_.facts.shows = {"! guest: this box does not trust its signer"};
   EXPECT_EQ(Said("stick"), "! guest: this box does not trust its signer");

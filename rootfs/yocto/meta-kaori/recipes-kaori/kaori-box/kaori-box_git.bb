@@ -19,7 +19,7 @@ REQUIRED_DISTRO_FEATURES:class-target = "systemd opengl"
 
 # What the face is drawn and the show is packed with.
 DEPENDS = "flatbuffers flatbuffers-native fmt freetype glm libjpeg-turbo libpng libsodium tl-expected tomlplusplus \
-           virtual/egl virtual/libgles2"
+           virtual/egl virtual/libgles2 zstd"
 # What the programs of the box open besides: devices, cards, screens. The show is packed by a kaori-atelier that runs here.
 DEPENDS:append:class-target = " alsa-lib kaori-box-native libdrm libgpiod libusb1 udev virtual/libgbm"
 # What kaori-atelier reads and models with.

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "appliance/programs/boot/data_partition.h"
+#include "drivers/base/root_disk.h"
 
-namespace kaori::boot {
+namespace kaori {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,7 +45,7 @@ TEST_F(BlockDevices, TheDataPartitionIsTheOneBesideTheRoot) {
   AddPartition("vda", "vda6", "data");
   AddPartition("vdb", "vdb6", "data");
   VerifyRootOn("vda", "vda2");
-  EXPECT_EQ(FindDataPartition(blocks()), "vda6");
+  EXPECT_EQ(PartitionBesideRoot(blocks(), "data"), "vda6");
 }
 
 TEST_F(BlockDevices, AnotherDisksDataIsNotTaken) {
@@ -53,14 +53,14 @@ TEST_F(BlockDevices, AnotherDisksDataIsNotTaken) {
   AddPartition("vda", "vda2", "root-a");
   AddPartition("vda", "vda3", "database");
   VerifyRootOn("vda", "vda2");
-  EXPECT_EQ(FindDataPartition(blocks()), std::nullopt);
+  EXPECT_EQ(PartitionBesideRoot(blocks(), "data"), std::nullopt);
 }
 
 TEST_F(BlockDevices, WithoutAVerifiedRootThereIsNone) {
   AddPartition("vda", "vda6", "data");
-  EXPECT_EQ(FindDataPartition(blocks()), std::nullopt);
-  EXPECT_EQ(FindDataPartition("/nowhere"), std::nullopt);
+  EXPECT_EQ(PartitionBesideRoot(blocks(), "data"), std::nullopt);
+  EXPECT_EQ(PartitionBesideRoot("/nowhere", "data"), std::nullopt);
 }
 
 }  // namespace
-}  // namespace kaori::boot
+}  // namespace kaori

@@ -1,0 +1,26 @@
+// Makes an update's file of the parts of an image.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "appliance/core/update/bundle.h"
+#include "drivers/base/result.h"
+
+namespace kaori::authoring {
+
+// The files of an image's folder (rootfs/image/build), in the order of update::Part.
+std::array<std::filesystem::path, update::kParts> PartFiles(const std::filesystem::path& image);
+
+// The version of an image, by the file in its root that the box reads as well. Errors: those of ReadFile;
+// invalid_argument.
+Result<std::uint32_t> VersionOf(const std::filesystem::path& image);
+
+// Packs and signs; takes a minute for 300 MB, and 600 MB of memory. `manifest` says version, from and news. The file is
+// there as a whole or not at all. Errors: those of ReadFile and WriteWholeFile.
+Result<void> MakeBundle(update::Manifest manifest,
+                        const std::array<std::filesystem::path, update::kParts>& parts,
+                        const show::SecretKey& signer, const std::filesystem::path& file);
+
+}  // namespace kaori::authoring

@@ -1,0 +1,271 @@
+// kaori-update: brings an update into the disk's other slot, for kaori-shows; and, started for a trial, looks whether
+// the new system does well, and keeps it or gives it up.
+//
+// It alone may write the slots and loader.conf. It mounts nothing: an update comes as an open file over its socket.
+#include <fcntl.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "appliance/core/update/caller.h"
+#include "appliance/programs/update/looks.h"
+#include "appliance/programs/update/running.h"
+#include "appliance/programs/update/service.h"
+#include "appliance/programs/update/trial.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "drivers/base/packet_socket.h"
+#include "drivers/base/program.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/root_disk.h"
+#include "drivers/base/run_program.h"
+#include "drivers/base/service.h"
+#include "drivers/base/whole_file.h"
+#include "drivers/loader/block_file.h"
+#include "drivers/loader/boot_partition.h"
+#include "drivers/loader/systemd_boot.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using kaori::update::Message;
+
+constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk's other slot
+
+  --confirm          instead: looks whether the system that is being tried does well, and keeps it or restarts
+  --socket PATH      where it listens; not given where the service manager passes a socket
+  --notes FOLDER     what is kept between starts (/var/lib/kaori/update)
+  --version FILE     which version runs, and which is the lowest that may come (/usr/share/kaori/version)
+  --keys FOLDER      public keys of whoever makes updates (/usr/share/kaori/update-keys)
+  --slot FILE        the slot that runs (/run/kaori-profile/slot)
+  --disk FOLDER      files named boot, root-a ... in place of the partitions beside the root
+  --variables FOLDER the firmware's variables (/sys/firmware/efi/efivars)
+  --said FOLDER      what is said of an update to the status picture, and asked of the stage (/run/kaori-update)
+  --picture FILE     what the stage shows (/run/kaori/look.ppm)
+  --still FILE       a picture of the show's first face (/usr/share/kaori/still.ppm)
+  --last-face FILE   the last face (/var/lib/kaori/own/last-face)
+  --install FILE     instead: brings this file in, says how it went, and ends
+)";
+
+struct Settings {
+  std::string socket, notes = "/var/lib/kaori/update", version = "/usr/share/kaori/version",
+                      keys = "/usr/share/kaori/update-keys", slot = "/run/kaori-profile/slot", disk,
+                      variables = kaori::loader::kVariables, said = "/run/kaori-update",
+                      picture = "/run/kaori/look.ppm", still = "/usr/share/kaori/still.ppm",
+                      last_face = "/var/lib/kaori/own/last-face", install;
+  bool confirm = false;
+};
+
+// The name of the descriptor that the socket's unit passes.
+constexpr const char* kPassed = "update";
+constexpr std::size_t kMostPicture_bytes = std::size_t{8} << 20U;
+constexpr std::size_t kMostLog_bytes = std::size_t{64} << 10U;
+constexpr auto kLookPeriod = std::chrono::seconds(5);
+constexpr auto kLongestAnswer = std::chrono::seconds(20);
+// Without one of these a box that is operated would not answer its operators.
+const std::vector<std::string> kPrograms{"kaori-stage.service", "kaori-input.service", "kaori-lips.service"};
+
+// The node of a partition beside the root, or the file in its place. Errors: no_such_device.
+kaori::Result<std::unique_ptr<kaori::ports::BlockDevice>> OpenPartition(const Settings& settings,
+                                                                        const std::string& name) {
+  if (!settings.disk.empty()) return kaori::loader::OpenBlockFile(fs::path(settings.disk) / name);
+  const auto device = kaori::PartitionBesideRoot("/sys/class/block", name);
+  if (!device)
+    return kaori::Fail(std::errc::no_such_device, "find the partition " + name + " beside the root");
+  return kaori::loader::OpenBlockFile("/dev/" + *device);
+}
+
+// Of the slot that does not run.
+kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::ports::Slot running) {
+  const auto other = kaori::ports::Other(running);
+  const std::string letter = other == kaori::ports::Slot::kA ? "a" : "b";
+  auto root = OpenPartition(settings, "root-" + letter), verity = OpenPartition(settings, "verity-" + letter),
+       boot = OpenPartition(settings, "boot");
+  for (const auto* each : {&root, &verity, &boot})
+    if (!*each) return tl::unexpected(each->error());
+  const auto kernel = kaori::loader::FindKernel(**boot, other);
+  if (!kernel) return tl::unexpected(kernel.error());
+  return kaori::update::Disk{std::move(*root), std::move(*verity), std::move(*boot), kernel->at_bytes,
+                             kernel->bytes};
+}
+
+kaori::Result<std::unique_ptr<kaori::ports::BootChoice>> OpenChoice(const Settings& settings,
+                                                                    kaori::ports::Slot running) {
+  return OpenPartition(settings, "boot")
+      .map([&](auto partition) -> std::unique_ptr<kaori::ports::BootChoice> {
+        return std::make_unique<kaori::loader::SystemdBoot>(std::move(partition), running,
+                                                            settings.variables);
+      });
+}
+
+void Restart() {
+  const auto status = kaori::RunProgram({"/bin/systemctl", "reboot"});
+  if (!status || *status != 0)
+    kaori::LogError("systemctl reboot: {}", status ? std::to_string(*status) : status.error().message());
+}
+
+// A file that holds no key is named, and the others count; where nothing can be read nobody is trusted.
+kaori::show::PublicKeys KeysOf(const Settings& settings) {
+  std::vector<std::string> faults;
+  const std::vector<fs::path> folders{settings.keys};
+  const auto keys = kaori::show::ReadPublicKeys(folders, &faults);
+  for (const std::string& fault : faults) kaori::LogWarning("{}", fault);
+  return keys.value_or(kaori::show::PublicKeys{});
+}
+
+kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running& running) {
+  return {.running = running,
+          .keys = [&settings] { return KeysOf(settings); },
+          .open_disk = [&settings, running] { return OpenDisk(settings, running.slot); },
+          .open_choice = [&settings, running] { return OpenChoice(settings, running.slot); },
+          .restart = Restart};
+}
+
+// What the status picture shows, in both languages; a file in memory.
+void TellStatus(const Settings& settings, const kaori::update::Outcome& outcome) {
+  using kaori::update::Language;
+  const std::string text = Say(outcome.message, Language::kEnglish, outcome.version, outcome.detail) + "\n" +
+                           Say(outcome.message, Language::kJapanese, outcome.version) + "\n";
+  kaori::LogWarning("{}", text.substr(0, text.find('\n')));
+  if (auto told = kaori::WriteWholeFile(fs::path(settings.said) / "notice", {kaori::AsBytes(text)}); !told)
+    kaori::LogWarning("{}", told.error().message());
+}
+
+std::string PictureOf(const std::string& file) {
+  return kaori::ReadFile(file, {.most_bytes = kMostPicture_bytes}).value_or("");
+}
+
+// Looks at everything once. `seen` is when the picture of the look before was made: a stage that hangs makes no new one.
+std::string FaultNow(const Settings& settings, fs::file_time_type& seen) {
+  std::vector<std::string> ask{"/bin/systemctl", "show", "--property=Id,ActiveState,NRestarts"};
+  ask.insert(ask.end(), kPrograms.begin(), kPrograms.end());
+  const auto programs = kaori::OutputOf(ask, kMostLog_bytes, kLongestAnswer);
+  if (!programs) return programs.error().message();
+  if (auto fault = kaori::update::ProgramsFault(*programs, kPrograms.size()); !fault.empty()) return fault;
+  const auto log = kaori::OutputOf({"/bin/journalctl", "-k", "-b", "--no-pager", "-o", "cat"}, kMostLog_bytes,
+                                   kLongestAnswer);
+  if (auto fault = kaori::update::DiskFault(log.value_or("")); !fault.empty()) return fault;
+  std::error_code none;
+  const auto made = fs::last_write_time(settings.picture, none);
+  if (none || std::exchange(seen, made) == made) return "the stage shows no new picture";
+  const std::string still = PictureOf(settings.still), last = PictureOf(settings.last_face);
+  return kaori::update::PictureFault(PictureOf(settings.picture), {still, last});
+}
+
+// The system that was tried stays, or keeps its reason and starts the one before.
+void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict, const std::string& reason,
+         kaori::ports::BootChoice& choice, kaori::update::Notes& notes, std::uint32_t version) {
+  if (verdict == kaori::update::Confirmation::Verdict::kStays) {
+    const auto stays = ConfirmTried(choice, notes);
+    if (stays) return TellStatus(settings, {Message::kConfirmed, version});
+    return TellStatus(settings, {Message::kDiskFault, version, stays.error().message()});
+  }
+  const auto log = kaori::OutputOf({"/bin/journalctl", "-b", "--no-pager", "-o", "short-monotonic"},
+                                   kMostLog_bytes, kLongestAnswer);
+  if (auto kept = GiveWay(notes, reason, log.value_or("")); !kept)
+    kaori::LogWarning("{}", kept.error().message());
+  kaori::LogError("this version gives way to the one before: {}", reason);
+  Restart();
+}
+
+// The stage makes pictures of what it shows as long as `wanted` is there.
+int LookOn(const Settings& settings, kaori::ports::BootChoice& choice, kaori::update::Notes& notes,
+           std::uint32_t version) {
+  const kaori::SteadyClock clock;
+  kaori::update::Confirmation confirmation(clock.now());
+  fs::file_time_type seen{};
+  const fs::path wanted = fs::path(settings.said) / "wanted";
+  if (auto told = kaori::WriteWholeFile(wanted, {}); !told) kaori::LogWarning("{}", told.error().message());
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return kaori::ExitWithError(loop.error());
+  const auto look = [&] {
+    const auto verdict = confirmation.Observe(FaultNow(settings, seen), clock.now());
+    if (verdict == kaori::update::Confirmation::Verdict::kLooking) return;
+    End(settings, verdict, confirmation.reason(), choice, notes, version);
+    loop->Stop();
+  };
+  const auto ran = loop->RunEvery(kLookPeriod, look);
+  std::error_code none;
+  fs::remove(wanted, none);
+  return ran ? 0 : kaori::ExitWithError(ran.error());
+}
+
+int Confirm(const Settings& settings, const kaori::update::Running& running) {
+  const auto notes = kaori::update::OpenNotes(settings.notes);
+  auto choice = OpenChoice(settings, running.slot);
+  if (!choice) return kaori::ExitWithError(choice.error());
+  const auto found = AfterStart(**choice, *notes);
+  if (found.message != Message::kNothingWaits) TellStatus(settings, found);
+  return found.message == Message::kLooking ? LookOn(settings, **choice, *notes, found.version) : 0;
+}
+
+// For a laptop's test, and for whoever has the disk in another computer.
+int Install(const Settings& settings, const kaori::update::Running& running) {
+  const auto notes = kaori::update::OpenNotes(settings.notes);
+  const auto disk = OpenDisk(settings, running.slot);
+  if (!disk) return kaori::ExitWithError(disk.error());
+  kaori::UniqueFd file(::open(settings.install.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!file.valid()) return kaori::ExitWithError(kaori::FailErrno("open " + settings.install).value());
+  auto source = kaori::update::SourceOf(std::move(file));
+  if (!source) return kaori::ExitWithError(source.error());
+  kaori::update::Installation installation(
+      std::move(*source), KeysOf(settings), running,
+      {*disk->root, *disk->verity, *disk->boot, disk->kernel_at, disk->kernel_bytes}, *notes);
+  while (!installation.ended()) installation.Step();
+  const auto& [message, version, detail, done] = installation.progress();
+  const bool well = message == Message::kWaits;
+  std::fprintf(well ? stdout : stderr, "%s\n%s\n",
+               Say(message, kaori::update::Language::kEnglish, version, detail).c_str(),
+               Say(message, kaori::update::Language::kJapanese, version).c_str());
+  return well ? 0 : 1;
+}
+
+int Serve(const Settings& settings, const kaori::update::Running& running) {
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return kaori::ExitWithError(loop.error());
+  kaori::Result<kaori::UniqueFd> listener = kaori::FailInput("no socket to listen at: give --socket");
+  if (!settings.socket.empty())
+    listener = kaori::ListenForPackets(settings.socket);
+  else if (auto passed = kaori::service::RetrieveFd(kPassed))
+    listener = std::move(*passed);
+  if (!listener) return kaori::ExitWithError(listener.error());
+  const auto notes = kaori::update::OpenNotes(settings.notes);
+  const kaori::SteadyClock clock;
+  kaori::update::UpdateService service(std::move(*listener), BoxOf(settings, running), *notes);
+  const auto step = [&] {
+    service.Step(clock.now());
+    if (settings.socket.empty() && service.IsIdle(clock.now())) loop->Stop();
+  };
+  const auto ran = loop->RunEvery(kaori::update::UpdateService::kPeriod, step);
+  return ran ? 0 : kaori::ExitWithError(ran.error());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::BeginProgram("kaori-update");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Switch("--confirm", settings.confirm)
+      .Text("--socket", settings.socket)
+      .Text("--notes", settings.notes)
+      .Text("--version", settings.version)
+      .Text("--keys", settings.keys)
+      .Text("--slot", settings.slot)
+      .Text("--disk", settings.disk);
+  options.Text("--variables", settings.variables)
+      .Text("--said", settings.said)
+      .Text("--picture", settings.picture)
+      .Text("--still", settings.still)
+      .Text("--last-face", settings.last_face)
+      .Text("--install", settings.install);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  const auto running = kaori::update::ReadRunning(settings.version, settings.slot);
+  if (!running) return kaori::ExitWithError(running.error());
+  if (settings.confirm) return Confirm(settings, *running);
+  if (!settings.install.empty()) return Install(settings, *running);
+  return Serve(settings, *running);
+}

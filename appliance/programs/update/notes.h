@@ -1,0 +1,34 @@
+// What a box keeps of an update between its starts, in the folder `update` of the data partition:
+//   pending   the update that lies in the other slot and waits to be tried, or is being tried
+//   last-try  what became of the last try, and the end of its log
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "appliance/core/update/pending.h"
+#include "drivers/base/result.h"
+
+namespace kaori::update {
+
+// One thread. Every call blocks for the disk. An interface, so that tests see in which order things are kept.
+class Notes {
+ public:
+  virtual ~Notes() = default;
+  virtual std::optional<Pending> ReadPending() const = 0;
+  // Each returns once it is on the disk. Errors: those of WriteWholeFile and unlink(2).
+  virtual Result<void> KeepPending(const Pending& pending) = 0;
+  virtual Result<void> ForgetPending() = 0;
+  // Lines: what became of the try, then the end of its log. Empty where nothing was tried.
+  virtual std::string ReadLastTry() const = 0;
+  // An empty text removes it.
+  virtual Result<void> KeepLastTry(std::string_view text) = 0;
+};
+
+// In this folder, which is made where it is missing.
+std::unique_ptr<Notes> OpenNotes(const std::filesystem::path& folder);
+
+}  // namespace kaori::update

@@ -1,0 +1,15 @@
+// Which system runs.
+#pragma once
+
+#include <filesystem>
+
+#include "appliance/programs/update/installation.h"
+#include "drivers/base/result.h"
+
+namespace kaori::update {
+
+// `version` has two lines, "version 12" and "least 10", and lies in the root; `slot` has "A" or "B", as kaori-boot left
+// it. Blocks for both. Errors: those of ReadFile; invalid_argument (they say something else).
+Result<Running> ReadRunning(const std::filesystem::path& version, const std::filesystem::path& slot);
+
+}  // namespace kaori::update

@@ -1,0 +1,80 @@
+#include "appliance/programs/update/trial.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace kaori::update {
+namespace {
+
+// Said where the tried system kept nothing: the kernel stopped, or the firmware started another system than it was told.
+constexpr std::string_view kWithoutAWord =
+    "it never came so far as to say why, or this PC forgets what it is to try";
+
+std::string FirstLine(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+Outcome BeginTry(ports::BootChoice& choice, Notes& notes) {
+  const auto pending = notes.ReadPending();
+  if (!pending) return {Message::kNothingWaits};
+  const auto by_itself = choice.Default();
+  if (!by_itself) return {Message::kOtherLayout, pending->version, by_itself.error().message()};
+  if (*by_itself != choice.running()) return {Message::kTrialRuns, pending->version};
+  if (pending->tries >= kMostTries) return {Message::kTriedOften, pending->version};
+  Pending tried = *pending;
+  ++tried.tries;
+  auto kept = notes.KeepLastTry("");
+  if (kept) kept = notes.KeepPending(tried);
+  if (!kept) return {Message::kDiskFault, pending->version, kept.error().message()};
+  if (auto ok = choice.TryOnce(pending->slot); !ok)
+    return {Message::kForgets, pending->version, ok.error().message()};
+  return {Message::kRestarts, pending->version};
+}
+
+// A slot that is the default is confirmed, whatever its note says.
+Outcome AfterStart(ports::BootChoice& choice, Notes& notes) {
+  const auto pending = notes.ReadPending();
+  if (!pending) return {Message::kNothingWaits};
+  const auto by_itself = choice.Default();
+  if (!by_itself) return {Message::kOtherLayout, pending->version, by_itself.error().message()};
+  if (pending->slot == *by_itself) {
+    const auto forgotten = notes.ForgetPending();
+    return {Message::kNothingWaits, 0, forgotten ? "" : forgotten.error().message()};
+  }
+  if (choice.running() == pending->slot) return {Message::kLooking, pending->version};
+  if (pending->tries == 0) return {Message::kWaits, pending->version};
+  const std::string said = FirstLine(notes.ReadLastTry());
+  return {pending->tries < kMostTries ? Message::kGaveWay : Message::kTriedOften, pending->version,
+          said.empty() ? std::string(kWithoutAWord) : said};
+}
+
+Confirmation::Verdict Confirmation::Observe(const std::string& fault, Time now) {
+  if (verdict_ != Verdict::kLooking) return verdict_;
+  if (!fault.empty()) {
+    reason_ = fault;
+    well_since_.reset();
+  } else if (!well_since_) {
+    well_since_ = now;
+  }
+  if (well_since_ && now - *well_since_ >= kHolds)
+    verdict_ = Verdict::kStays;
+  else if (now - began_ >= kLongest)
+    verdict_ = Verdict::kGivesWay;
+  return verdict_;
+}
+
+Result<void> ConfirmTried(ports::BootChoice& choice, Notes& notes) {
+  if (auto ok = choice.Confirm(choice.running()); !ok) return ok;
+  return notes.ForgetPending();
+}
+
+// One line for the reason, since the screen shows the first one.
+Result<void> GiveWay(Notes& notes, const std::string& reason, std::string_view log) {
+  std::string text = reason;
+  std::ranges::replace(text, '\n', ' ');
+  return notes.KeepLastTry(text + "\n" + std::string(log));
+}
+
+}  // namespace kaori::update

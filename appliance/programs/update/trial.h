@@ -1,0 +1,63 @@
+// The trial of an update: how it begins, and whether the system that was started for it stays.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "appliance/core/update/messages.h"
+#include "appliance/programs/update/notes.h"
+#include "drivers/base/clock.h"
+#include "drivers/ports/boot_choice.h"
+
+namespace kaori::update {
+
+inline constexpr std::uint32_t kMostTries = 3;
+
+// What is to be said, of which version, and why.
+struct Outcome {
+  Message message = Message::kNothingWaits;
+  std::uint32_t version = 0;
+  std::string detail{};
+};
+
+// Has the next start try what waits: kRestarts, and the machine is to be restarted then. The try is counted
+// before it is made, so that a PC without its variable or a cut in between never tries without end.
+Outcome BeginTry(ports::BootChoice& choice, Notes& notes);
+
+// What a start finds, before anything is looked at:
+//   kLooking   this system is being tried
+//   kWaits     an update waits that was not tried yet
+//   kGaveWay, kTriedOften   it was tried and this system came back; with what the try left to be said
+//   kNothingWaits   and where what waited is what runs by itself, its note is removed: the power went after it was
+//              confirmed
+Outcome AfterStart(ports::BootChoice& choice, Notes& notes);
+
+// Looks for 180 s whether all has been well for 60 s on end. Pure; one thread.
+class Confirmation {
+ public:
+  static constexpr Duration kHolds = std::chrono::seconds(60);
+  static constexpr Duration kLongest = std::chrono::seconds(180);
+  enum class Verdict { kLooking, kStays, kGivesWay };
+
+  explicit Confirmation(Time began) : began_(began) {}
+
+  // `fault` is what is not well at `now`; empty: nothing. A verdict stands.
+  Verdict Observe(const std::string& fault, Time now);
+  // The last fault; empty where there was none yet.
+  const std::string& reason() const { return reason_; }
+
+ private:
+  Time began_;
+  std::optional<Time> well_since_;
+  std::string reason_;
+  Verdict verdict_ = Verdict::kLooking;
+};
+
+// Makes the tried system the one that starts by itself, and only then forgets that it waited. Errors: those of
+// Confirm; what waits is tried again then.
+Result<void> ConfirmTried(ports::BootChoice& choice, Notes& notes);
+
+// Keeps why the tried system gives way, with the end of its log, for the one that starts next.
+Result<void> GiveWay(Notes& notes, const std::string& reason, std::string_view log);
+
+}  // namespace kaori::update

@@ -1,0 +1,143 @@
+// An update is brought into the other slot whole, or the box says in one line why not.
+#include "tests/appliance/programs/update_fixture.h"
+
+namespace kaori::update {
+namespace {
+
+using UpdateInstallation = UpdateTest;
+
+TEST_F(UpdateInstallation, WritesRootTreeAndKernelOfTheOtherSlotAndSaysThatItWaits) {
+  const auto progress = Install(BundleOf(6));
+  EXPECT_EQ(progress.message, Message::kWaits) << progress.detail;
+  EXPECT_EQ(progress.version, 6U);
+  EXPECT_FLOAT_EQ(progress.done, 1);
+  const auto parts = PartsOf(6);
+  EXPECT_EQ(OnDisk(kRootB, kRoot), parts[0]);
+  EXPECT_EQ(OnDisk(kVerityB, kVerity), parts[1]);
+  EXPECT_EQ(OnDisk(kKernelB, kKernel), parts[3]) << "the kernel of slot B";
+  EXPECT_EQ(notes_.pending, (Pending{6, ports::Slot::kB, 0}));
+  EXPECT_EQ(OnDisk(kRootA, kRoot), Bytes(kRoot, 0xA1));
+}
+
+TEST_F(UpdateInstallation, TakesTheOtherKernelWhereSlotBRuns) {
+  running_.slot = ports::Slot::kB;
+  ASSERT_EQ(Install(BundleOf(6)).message, Message::kWaits);
+  EXPECT_EQ(OnDisk(kKernelB, kKernel), PartsOf(6)[2]);
+  EXPECT_EQ(notes_.pending->slot, ports::Slot::kA);
+}
+
+TEST_F(UpdateInstallation, TakesTheSameVersionAgain) {
+  EXPECT_EQ(Install(BundleOf(5)).message, Message::kWaits);
+}
+
+TEST_F(UpdateInstallation, RefusesBeforeAByteIsWritten) {
+  const show::SecretKey other_maker = show::MakeKey().value();
+  Bytes cut = BundleOf(6);
+  cut.resize(cut.size() - 1);
+  Bytes flipped = BundleOf(6);
+  flipped[kHeader_bytes + 1000] ^= 1U;
+  Bytes forged = BundleOf(6);
+  forged[12] = 99;
+  Bytes newer_form = BundleOf(6);
+  newer_form[8] = 2;
+  Manifest other = ManifestOf(6), later = ManifestOf(9);
+  other.product = "kaori-box-arm64-1";
+  later.from = 7;
+  const std::vector<std::pair<Bytes, Message>> cases{
+      {BundleOf(4), Message::kOlder},
+      {BundleOf(2), Message::kBelowLeast},
+      {BundleOf(ManifestOf(6), other_maker), Message::kForeign},
+      {BundleOf(other, maker_), Message::kOtherProduct},
+      {BundleOf(later, maker_), Message::kNewerForm},
+      {cut, Message::kCutOff},
+      {Bytes(cut.begin(), cut.begin() + 100), Message::kCutOff},
+      {Bytes{}, Message::kNotAnUpdate},
+      {Bytes(2000, 'x'), Message::kNotAnUpdate},
+      {newer_form, Message::kNewerForm},
+      {forged, Message::kDamaged},
+      {flipped, Message::kDamaged}};
+  for (const auto& [bundle, message] : cases) {
+    EXPECT_EQ(Install(bundle).message, message) << Words(message, Language::kEnglish);
+    EXPECT_TRUE(IsRefusal(message));
+    EXPECT_TRUE(disk_.events().empty()) << Words(message, Language::kEnglish);
+    EXPECT_TRUE(notes_.changes.empty());
+  }
+}
+
+TEST_F(UpdateInstallation, RefusesWhatDoesNotFitIntoTheSlot) {
+  verity_b_ = disk_.Partition(kVerityB, kVerity - 1);
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kTooLarge);
+  EXPECT_TRUE(disk_.events().empty());
+}
+
+TEST_F(UpdateInstallation, OfOneFlippedBitAnywhereWritesNothing) {
+  constexpr int kTried = 200;
+  const Bytes bundle = BundleOf(6);
+  for (int n = 0; n < kTried; ++n) {
+    Bytes altered = bundle;
+    const std::size_t in_header = static_cast<std::size_t>(n) * kHeader_bytes / kTried;
+    const std::size_t in_payload =
+        kHeader_bytes + static_cast<std::size_t>(n) * (bundle.size() - kHeader_bytes) / kTried;
+    altered[n % 2 == 0 ? in_header : in_payload] ^= static_cast<std::uint8_t>(1U << (n % 8));
+    EXPECT_TRUE(IsRefusal(Install(altered).message)) << n;
+    ASSERT_TRUE(disk_.events().empty()) << n;
+  }
+}
+
+// With the power off in the middle what waited before must not be tried: its slot is half written.
+TEST_F(UpdateInstallation, ForgetsWhatWaitedBeforeItsFirstWrite) {
+  notes_.pending = Pending{5, ports::Slot::kB, 1};
+  auto pulled = std::make_unique<SimulatedSource>(BundleOf(6));
+  pulled->readings_left = 4;
+  EXPECT_EQ(Install(std::move(pulled)).message, Message::kPulled);
+  EXPECT_FALSE(disk_.events().empty());
+  EXPECT_EQ(notes_.pending, std::nullopt);
+}
+
+TEST_F(UpdateInstallation, FindsAStickThatGivesAnotherFileTheSecondTime) {
+  for (const std::uint32_t version : {6U, 7U}) {
+    auto other = std::make_unique<SimulatedSource>(BundleOf(6));
+    other->readings_left = 2;
+    other->then = BundleOf(version);
+    EXPECT_EQ(Install(std::move(other)).message, version == 6 ? Message::kWaits : Message::kPulled);
+    EXPECT_EQ(notes_.pending.has_value(), version == 6);
+  }
+}
+
+TEST_F(UpdateInstallation, FindsADiskThatHoldsAnotherThingThanWasWritten) {
+  disk_.Rot();
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kDiskFault);
+  EXPECT_EQ(notes_.pending, std::nullopt);
+}
+
+// Each write fails once; afterwards the same update comes in.
+TEST_F(UpdateInstallation, OfADiskThatFailsAtAnyWriteLeavesNothingThatWaits) {
+  std::uint64_t writes = 0;
+  for (Message message = Message::kDiskFault; message == Message::kDiskFault; ++writes) {
+    disk_.FailAfter(writes);
+    message = Install(BundleOf(6)).message;
+    EXPECT_EQ(notes_.pending.has_value(), message == Message::kWaits);
+    ASSERT_LT(writes, 100U);
+  }
+  EXPECT_GE(writes, 4U);
+}
+
+TEST_F(UpdateInstallation, SaysWhenItCannotBeNoted) {
+  notes_.fault = std::errc::no_space_on_device;
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kDiskFault);
+  EXPECT_TRUE(disk_.events().empty()) << "what waits cannot be forgotten, so nothing is written";
+}
+
+TEST(UpdateMessages, HaveALineInBothLanguagesThatFitsAScreen) {
+  for (std::size_t n = 0; n < kMessageCount; ++n) {
+    const auto message = static_cast<Message>(n);
+    const auto english = Words(message, Language::kEnglish), japanese = Words(message, Language::kJapanese);
+    EXPECT_FALSE(english.empty());
+    EXPECT_FALSE(japanese.empty());
+    EXPECT_LE(english.size(), 90U) << english;
+    EXPECT_LE(japanese.size() * 2 / 3, 90U) << japanese;
+  }
+}
+
+}  // namespace
+}  // namespace kaori::update

@@ -1,0 +1,201 @@
+// A version that is tried stays when its face was seen for a minute, and gives way otherwise.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "appliance/programs/update/looks.h"
+#include "appliance/programs/update/running.h"
+#include "appliance/programs/update/trial.h"
+#include "drivers/base/whole_file.h"
+#include "hw-sim/devices/boot_loader.h"
+#include "tests/appliance/programs/update_fixture.h"
+#include "tests/hw-sim/link_fixture.h"
+
+namespace kaori::update {
+namespace {
+
+using ports::Slot;
+using std::chrono::seconds;
+using ::testing::HasSubstr;
+using Verdict = Confirmation::Verdict;
+
+class UpdateTrial : public ::testing::Test {
+ protected:
+  UpdateTrial() { notes_.pending = Pending{6, Slot::kB, 0}; }
+  sim::BootLoader choice_;
+  SimulatedNotes notes_;
+};
+
+TEST_F(UpdateTrial, StartsTheOtherSlotOnceAndKeepsItWhenItDoesWell) {
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kWaits);
+  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kRestarts);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kLooking);
+  ASSERT_TRUE(ConfirmTried(choice_, notes_));
+  EXPECT_EQ(notes_.pending, std::nullopt);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kNothingWaits);
+}
+
+TEST_F(UpdateTrial, ThatGivesWayComesBackAndSaysWhy) {
+  BeginTry(choice_, notes_);
+  choice_.SwitchOn();
+  ASSERT_TRUE(GiveWay(notes_, "kaori-lips.service does not run\nat all", "its log"));
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
+  const auto found = AfterStart(choice_, notes_);
+  EXPECT_EQ(found.message, Message::kGaveWay);
+  EXPECT_EQ(found.version, 6U);
+  EXPECT_EQ(found.detail, "kaori-lips.service does not run at all");
+}
+
+TEST_F(UpdateTrial, ThatDiesWithoutAWordIsToldOfAsWell) {
+  notes_.last_try = "of a try before";
+  BeginTry(choice_, notes_);
+  choice_.SwitchOn();
+  choice_.SwitchOn();
+  const auto found = AfterStart(choice_, notes_);
+  EXPECT_EQ(found.message, Message::kGaveWay);
+  EXPECT_THAT(found.detail, HasSubstr("never came so far"));
+}
+
+TEST_F(UpdateTrial, IsMadeThreeTimesAtMost) {
+  for (std::uint32_t n = 0; n < kMostTries; ++n) {
+    EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kRestarts);
+    choice_.SwitchOn();
+    choice_.SwitchOn();
+  }
+  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kTriedOften);
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kTriedOften);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
+}
+
+TEST_F(UpdateTrial, IsRefusedOnAPcThatForgets) {
+  choice_.ForgetVariables();
+  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kForgets);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
+}
+
+TEST_F(UpdateTrial, IsNotBegunFromATrialNorWithoutAnUpdateNorWithoutANote) {
+  ASSERT_TRUE(choice_.TryOnce(Slot::kB));
+  choice_.SwitchOn();
+  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kTrialRuns);
+  choice_.SwitchOn();
+  notes_.fault = std::errc::io_error;
+  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kDiskFault);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kA) << "a try that cannot be counted is not made";
+  notes_.fault.reset();
+  notes_.pending.reset();
+  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kNothingWaits);
+}
+
+// Between loader.conf and the note.
+TEST_F(UpdateTrial, WhoseNoteOutlivesItsConfirmationIsOver) {
+  BeginTry(choice_, notes_);
+  choice_.SwitchOn();
+  ASSERT_TRUE(choice_.Confirm(Slot::kB));
+  choice_.SwitchOn();
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kNothingWaits);
+  EXPECT_EQ(notes_.pending, std::nullopt);
+}
+
+TEST(UpdateConfirmation, WantsAMinuteOnEndWithoutAFault) {
+  const Time began = ManualClock().now();
+  Confirmation confirmation(began);
+  EXPECT_EQ(confirmation.Observe("", began), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe("", began + seconds(59)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe("no picture", began + seconds(60)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe("", began + seconds(65)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe("", began + seconds(124)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe("", began + seconds(125)), Verdict::kStays);
+  EXPECT_EQ(confirmation.Observe("too late", began + seconds(500)), Verdict::kStays);
+}
+
+TEST(UpdateConfirmation, GivesWayAfterThreeMinutesWithItsLastFault) {
+  const Time began = ManualClock().now();
+  Confirmation confirmation(began);
+  for (int at = 0; at < 180; at += 5)
+    EXPECT_EQ(confirmation.Observe(at % 50 == 0 ? "it flickers" : "", began + seconds(at)), Verdict::kLooking)
+        << at;
+  EXPECT_EQ(confirmation.Observe("", began + seconds(180)), Verdict::kGivesWay);
+  EXPECT_EQ(confirmation.reason(), "it flickers");
+}
+
+std::string Picture(int width, int height, int at, std::uint8_t inside, std::uint8_t outside) {
+  std::string ppm = "P6\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double right = (x + 0.5 - width / 2.0) / height, down = (y + 0.5) / height - 0.5;
+      const bool is_inside = (right - at / 100.0) * (right - at / 100.0) + down * down < 0.09;
+      ppm += std::string(3, static_cast<char>(is_inside ? inside : outside));
+    }
+  return ppm;
+}
+
+TEST(UpdateLooks, KnowAFaceOnScreensOfOtherSizesAndShapes) {
+  const std::string still = Picture(960, 540, 0, 200, 40);
+  EXPECT_EQ(PictureFault(Picture(960, 540, 0, 200, 40), {still}), "");
+  EXPECT_EQ(PictureFault(Picture(640, 480, 0, 204, 44), {still}), "");
+  EXPECT_EQ(PictureFault(Picture(300, 200, 1, 200, 40), {"", still}), "") << "it breathes";
+}
+
+TEST(UpdateLooks, FindABlackPictureAnotherFaceAndNone) {
+  const std::string still = Picture(960, 540, 0, 200, 40);
+  EXPECT_THAT(PictureFault(Picture(960, 540, 0, 0, 0), {still}), HasSubstr("not that of the face"));
+  EXPECT_THAT(PictureFault(Picture(960, 540, 40, 200, 40), {still}), HasSubstr("not that of the face"));
+  EXPECT_THAT(PictureFault("", {still}), HasSubstr("no picture"));
+  EXPECT_THAT(PictureFault(still.substr(0, still.size() - 1), {still}), HasSubstr("no picture"));
+  EXPECT_THAT(PictureFault("P6\n99999 1\n255\n", {still}), HasSubstr("no picture"));
+  EXPECT_THAT(PictureFault(still, {}), HasSubstr("not that of the face"));
+}
+
+TEST(UpdateLooks, FindAProgramThatDoesNotRunOrWasStartedAnew) {
+  const std::string stage = "Id=kaori-stage.service\nNRestarts=0\nActiveState=active\n";
+  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=active\n", 2), "");
+  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=1\nActiveState=active\n", 2),
+            "kaori-lips.service had to be started anew");
+  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=activating\n", 2),
+            "kaori-lips.service does not run");
+  EXPECT_EQ(ProgramsFault(stage, 2), "it is not known which programs run");
+}
+
+TEST(UpdateLooks, FindABlockThatFailedVerity) {
+  EXPECT_EQ(DiskFault("a\nb\n"), "");
+  EXPECT_THAT(DiskFault("a\ndevice-mapper: verity: 253:0: data block 12 is corrupted\n"),
+              HasSubstr("verity: 253:0: data block 12 is corrupted"));
+}
+
+TEST(UpdateNotes, AreThereAfterAStartAndATextThatIsNoneIsNone) {
+  const sim::TempFolder folder;
+  const auto notes = OpenNotes(folder.path() + "/update");
+  EXPECT_EQ(notes->ReadPending(), std::nullopt);
+  ASSERT_TRUE(notes->KeepPending({12, Slot::kA, 2}));
+  ASSERT_TRUE(notes->KeepLastTry("why\nits log"));
+  const auto after = OpenNotes(folder.path() + "/update");
+  EXPECT_EQ(after->ReadPending(), (Pending{12, Slot::kA, 2}));
+  EXPECT_EQ(after->ReadLastTry(), "why\nits log");
+  ASSERT_TRUE(after->ForgetPending());
+  ASSERT_TRUE(after->KeepLastTry(""));
+  EXPECT_EQ(notes->ReadPending(), std::nullopt);
+  EXPECT_EQ(notes->ReadLastTry(), "");
+  for (const char* text : {"", "12 A", "12 C 0\n", "x A 0\n", "12 A 0\nmore"})
+    EXPECT_EQ(ParsePending(text), std::nullopt) << text;
+}
+
+TEST(UpdateRunning, IsReadFromTheRootAndFromTheFirstProgram) {
+  const sim::TempFolder folder;
+  const auto write = [&](const char* name, const std::string& text) {
+    const std::string file = folder.path() + "/" + name;
+    EXPECT_TRUE(WriteWholeFile(file, {AsBytes(text)}));
+    return file;
+  };
+  const auto version = write("version", "version 12\nleast 10\n");
+  const auto running = ReadRunning(version, write("slot", "B"));
+  ASSERT_TRUE(running);
+  EXPECT_EQ(running->version, 12U);
+  EXPECT_EQ(running->least, 10U);
+  EXPECT_EQ(running->slot, Slot::kB);
+  EXPECT_FALSE(ReadRunning(version, write("slot", "")));
+  EXPECT_FALSE(ReadRunning(write("other", "version 12"), write("slot", "A")));
+}
+
+}  // namespace
+}  // namespace kaori::update
