@@ -157,6 +157,8 @@ std::vector<Check> DataChecks();
 std::vector<Check> StickChecks();
 // Damaged file systems, as of a stick, before the kernel's drivers.
 std::vector<Check> DamagedDiskChecks();
+// A box with an address in a network lets a visitor calibrate its lips, while the service key is on.
+std::vector<Check> DeskChecks();
 // A box is kept on a stick, and another one becomes it.
 std::vector<Check> BackupChecks();
 // The screens that a box may find, and what is on its screen from power to the face.

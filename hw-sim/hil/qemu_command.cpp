@@ -116,6 +116,14 @@ void AddUsb(const QemuOptions& options, const Setup& setup, std::vector<std::str
         {"-device", fmt::format("usb-storage,drive=stick,id=unauthorised,bus=xhci.0,port={}", kUsbPorts)});
 }
 
+// Intel's, as PCs have it, in a network of the machine and this computer alone (slirp): the box is 10.0.2.15 there.
+void AddNetworkCard(const Setup& setup, std::vector<std::string>& command) {
+  if (setup.desk_port == 0) return;
+  Add(command, {"-netdev", fmt::format("user,id=wired,restrict=on,hostfwd=tcp:127.0.0.1:{}-10.0.2.15:8443",
+                                       setup.desk_port)});
+  Add(command, {"-device", "e1000e,netdev=wired,romfile="});
+}
+
 // Two cards: a loudspeaker that the bench hears, and a microphone that hears silence. QEMU's sound to a file
 // has no microphone.
 void AddSound(const QemuOptions& options, std::vector<std::string>& command) {
@@ -218,6 +226,7 @@ std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& se
   Add(command, {"-device", "virtio-blk-pci,drive=bench"});  // BenchDisk says its name in the machine.
   Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
   AddUsb(options, setup, command);
+  AddNetworkCard(setup, command);
   if (setup.sound) AddSound(options, command);
   return command;
 }

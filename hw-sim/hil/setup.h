@@ -61,6 +61,8 @@ struct Setup {
   std::string disk{};
   // What a firmware with Secure Boot keeps, a file that it writes; empty: a firmware without, which keeps nothing.
   std::string variables{};
+  // A wired network card, by which this computer reaches the box's port 8443 at this one; 0: no card.
+  int desk_port = 0;
   // box.toml; empty: as the image has it.
   std::string settings{};
   // That which was good before; empty: none.

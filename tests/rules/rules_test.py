@@ -49,6 +49,8 @@ AGAINST = (
     ("appliance/core/linecheck/a.h", '"appliance/programs/stage/stage.h"', "appliance/core/linecheck/ may include only"),
     ("appliance/core/showlog/a.h", '"appliance/programs/stage/stage.h"', "appliance/core/showlog/ may include only"),
     ("appliance/core/store/a.h", '"appliance/core/show/pack.h"', "appliance/core/store/ may include only"),
+    ("appliance/core/restore/a.h", '"appliance/core/backup/reader.h"', "appliance/core/restore/ may include only"),
+    ("appliance/core/backup/a.h", '"appliance/programs/shows/stick.h"', "appliance/core/backup/ may include only"),
     ("appliance/core/roles/a.h", '"appliance/core/board/board.h"', "appliance/core/roles/ may include only"),
     ("appliance/core/show/a.h", '"appliance/core/board/board.h"', "appliance/core/show/ may include only"),
     ("appliance/core/performance/a.h", '"drivers/ports/hid_channel.h"', "appliance/core/performance/ may include only"),

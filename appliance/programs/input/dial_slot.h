@@ -45,21 +45,28 @@ class DialSlot final : public DeviceSlot {
   SurfaceSection& section_;
   std::size_t device_;
   const std::vector<SurfaceMap>& maps_;
-  const SurfaceMap usual_;  // Of a device that no file names.
+  // Of a device that no file names.
+  const SurfaceMap usual_;
   const SurfaceMap* map_ = &usual_;
   std::optional<decode::DialBoxDecoder> decoder_;
   // Counts of the decoder that the section has, and parts of a count that are left over, both by the device's
   // dial.
   std::array<std::int32_t, decode::kMaxDials> passed_on_{};
   std::array<std::int64_t, decode::kMaxDials> rests_{};
-  std::optional<std::uint32_t> lit_;  // As the box was last told; empty after a plug, when all are dark.
-  Time told_{};                       // And when.
-  Time lamps_after_{};                // No lamp report is sent before this time.
-  int lamp_failures_ = 0;             // Since the plug.
-  std::deque<std::vector<std::uint8_t>> pages_;  // Of pictures that are not sent yet.
+  // As the box was last told; empty after a plug, when all are dark.
+  std::optional<std::uint32_t> lit_;
+  // And when.
+  Time told_{};
+  // No lamp report is sent before this time.
+  Time lamps_after_{};
+  // Since the plug.
+  int lamp_failures_ = 0;
+  // Of pictures that are not sent yet.
+  std::deque<std::vector<std::uint8_t>> pages_;
   // When the box was plugged in, from which kHeldStateTrust counts.
   Time plugged_{};
-  bool held_confirmed_ = true;  // False while held buttons are known only from before the plug.
+  // False while held buttons are known only from before the plug.
+  bool held_confirmed_ = true;
 };
 
 }  // namespace kaori::input

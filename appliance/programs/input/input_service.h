@@ -40,12 +40,16 @@ struct InputWriters {
 
 // Where input comes from.
 struct InputSources {
-  std::vector<ports::HidBus*> buses;     // Borrowed: the buses outlive the service.
-  ports::GpioOpener lines;               // Empty where the box has no GPIO lines.
-  std::vector<SurfaceMap> maps{};        // Of surfaces that people own.
-  const ports::MidiTap* midi = nullptr;  // Borrowed; null where nobody listens to MIDI.
-  std::uint32_t wired_lines =
-      board::kEveryLine;  // Bit n: line n is wired; for those who ask whether each of them works.
+  // Borrowed: the buses outlive the service.
+  std::vector<ports::HidBus*> buses;
+  // Empty where the box has no GPIO lines.
+  ports::GpioOpener lines;
+  // Of surfaces that people own.
+  std::vector<SurfaceMap> maps{};
+  // Borrowed; null where nobody listens to MIDI.
+  const ports::MidiTap* midi = nullptr;
+  // Bit n: line n is wired; for those who ask whether each of them works.
+  std::uint32_t wired_lines = board::kEveryLine;
 };
 
 // How many surfaces with a map may play beside the dial box.
@@ -82,7 +86,8 @@ class InputService {
  private:
   struct Bus {
     ports::HidBus* bus = nullptr;
-    std::errc failure{};  // Why it cannot list its ports: it is asked again now and then, and not waited for.
+    // Why it cannot list its ports: it is asked again now and then, and not waited for.
+    std::errc failure{};
     bool failed() const { return failure != std::errc{}; }
   };
   // A port of one bus; two buses may use the same port name.
@@ -95,12 +100,16 @@ class InputService {
   struct Binding {
     std::unique_ptr<DeviceSlot> slot;
     decode::DeviceKind kind = decode::DeviceKind::kOther;
-    std::string only_port;  // The name of the one port whose device may fill the slot; empty: any port.
-    BusPort port;           // Where the attached device is plugged in.
+    // The name of the one port whose device may fill the slot; empty: any port.
+    std::string only_port;
+    // Where the attached device is plugged in.
+    BusPort port;
     std::unique_ptr<ports::HidChannel> device;
     Time attached_at{};
-    bool bad_report_logged = false;  // Since the plug.
-    int faults = 0;                  // Failed transfers in a row.
+    // Since the plug.
+    bool bad_report_logged = false;
+    // Failed transfers in a row.
+    int faults = 0;
   };
   // A port whose device fills no slot, or could not be opened yet.
   struct SkippedPort {

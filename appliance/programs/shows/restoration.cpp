@@ -110,9 +110,9 @@ void Restoration::Open() {
 }
 
 Result<void> Restoration::Begin(const backup::Entry& entry) {
-  is_disk_ = true;
   writing_ = entry.member.path;
   if (restore::IsReport(writing_)) return {};
+  is_disk_ = true;
   if (restore::IsPack(writing_)) {
     pack_ = writing_;
     pack_bytes_ = entry.member.bytes;

@@ -145,6 +145,14 @@ TEST_F(CopiesTest, ADamagedBackupIsRefusedInWordsAndChangesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / restore::kIncoming));
 }
 
+// The show log comes last in a backup, and nothing of it is written: its end cannot be a fault of the disk.
+TEST_F(CopiesTest, ABackupThatEndsWithinItsReportsIsSaidToBeCutOff) {
+  BackUp();
+  const std::string text = Text(kFile);
+  Put(kFile, text.substr(0, text.rfind("a report") + 3));
+  EXPECT_THAT(Choose("restore left"), HasSubstr("its end is missing"));
+}
+
 TEST_F(CopiesTest, AStickThatIsPulledEndsTheQuestion) {
   BackUp();
   Put("own/01-smile.toml", "grin");
