@@ -17,6 +17,7 @@
 
 #include "appliance/core/board/watch.h"
 #include "appliance/core/store/play_log.h"
+#include "appliance/programs/shows/copy.h"
 #include "appliance/programs/shows/install_service.h"
 #include "appliance/programs/shows/stick.h"
 #include "appliance/programs/shows/stick_mount.h"
@@ -48,6 +49,7 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --journal FOLDER   where the journal lies (that of this system)
   --update SOCKET    where kaori-update listens, which brings updates of the box in (/run/kaori-update-socket)
   --install FILE     instead: installs this pack, says how it went, and ends
+  --keep FILE        instead: keeps a copy of this pack, the root's, beside the shows, where there is room, and ends
   --support FOLDER   instead: writes a support file into this folder, says its name, and ends
 )";
 
@@ -56,7 +58,7 @@ struct Settings {
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
               trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
               report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
-              journal, install, support, update = kaori::update::kSocket;
+              journal, install, support, keep, update = kaori::update::kSocket;
   bool plugged = false;
 };
 
@@ -207,6 +209,12 @@ int Install(const Settings& settings) {
   return well ? 0 : 1;
 }
 
+// Once the root's show has been seen for a while.
+int Keep(const Settings& settings) {
+  const auto kept = kaori::shows::KeepCopyOf(settings.keep, settings.shows);
+  return kept ? 0 : kaori::ExitWithError(kept.error());
+}
+
 // Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for
 // the screen go with it; `chosen` stays, since the stage compares it with what it plays.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
@@ -276,10 +284,12 @@ int main(int argc, char** argv) {
       .Text("--journal", settings.journal)
       .Text("--update", settings.update)
       .Text("--install", settings.install)
-      .Text("--support", settings.support);
+      .Text("--support", settings.support)
+      .Text("--keep", settings.keep);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (!settings.install.empty()) return Install(settings);
   if (!settings.support.empty()) return Support(settings);
+  if (!settings.keep.empty()) return Keep(settings);
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
   return Serve(settings, *loop);
