@@ -172,4 +172,17 @@ Result<std::string> ReadBeginning(const std::filesystem::path& file, std::size_t
   });
 }
 
+Result<void> ReadThrough(const std::filesystem::path& file) {
+  const std::string attempt = "read " + file.string();
+  const auto opened = OpenRegular(file, attempt);
+  if (!opened) return tl::unexpected(opened.error());
+  std::string piece(kPiece_bytes, '\0');
+  while (true) {
+    const ssize_t got = ::read(opened->fd.get(), piece.data(), piece.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return FailErrno(attempt);
+    if (got == 0) return {};
+  }
+}
+
 }  // namespace kaori

@@ -38,6 +38,11 @@ Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits
 // file_too_large.
 Result<std::string> ReadBeginning(const std::filesystem::path& file, std::size_t most_bytes);
 
+// Reads a whole file and keeps nothing of it: whether its disk gives all of it is known then, before it is mapped, where
+// what cannot be read ends the process. Blocks for the disk. Errors: those of open(2) and read(2); is_a_directory,
+// invalid_argument, as ReadFile.
+Result<void> ReadThrough(const std::filesystem::path& file);
+
 // As ReadFile does, for a text that is there already. `name` is what the error says
 // of it. Where the text is no valid TOML or JSON the answer may be wrong; the parser
 // then refuses the text in any case. Errors: bad_message.

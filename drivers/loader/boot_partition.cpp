@@ -1,5 +1,6 @@
 #include "drivers/loader/boot_partition.h"
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <optional>
@@ -13,6 +14,7 @@ namespace {
 constexpr std::uint64_t kSector_bytes = 512;
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 constexpr std::size_t kEntry_bytes = 32;
+constexpr std::uint64_t kTables = 2;                 // One behind the other, of the same content.
 constexpr std::size_t kName_bytes = 11;              // Eight letters and three, filled up with spaces.
 constexpr std::uint32_t kUsedBits = 0x0FFFFFFF;      // Of an entry of the table.
 constexpr std::uint32_t kLast = 0x0FFFFFF8;          // From here on an entry ends its chain.
@@ -39,6 +41,9 @@ Result<Bytes> ReadSectors(ports::BlockDevice& partition, std::uint64_t first, st
 }
 
 // A volume of one sector to the cluster, as esp.py makes it.
+// Reads tables and folders, and writes nothing. What it says is believed only as far as it was looked at: a table that is
+// damaged, by a disk or by whoever plugged it in elsewhere, must never have a running system written over.
+//
 class Volume {
  public:
   static Result<Volume> Open(ports::BlockDevice& partition) {
@@ -46,19 +51,21 @@ class Volume {
     if (!first) return tl::unexpected(first.error());
     const Bytes& head = *first;
     const bool is_ours = head[510] == 0x55 && head[511] == 0xAA && NumberAt(head, 11, 2) == kSector_bytes &&
-                         head[13] == 1 && NumberAt(head, 22, 2) == 0;
-    const std::uint64_t reserved = NumberAt(head, 14, 2), tables = head[16], length = NumberAt(head, 36, 4);
-    if (!is_ours || length == 0 || length > kMostTable_sectors)
+                         head[13] == 1 && head[16] == kTables && NumberAt(head, 22, 2) == 0;
+    const std::uint64_t reserved = NumberAt(head, 14, 2), length = NumberAt(head, 36, 4);
+    if (!is_ours || reserved == 0 || length == 0 || length > kMostTable_sectors)
       return Wrong("it is no FAT32 as an image has it");
     auto table = ReadSectors(partition, reserved, length);
     if (!table) return tl::unexpected(table.error());
-    return Volume(partition, std::move(*table), reserved + tables * length, NumberAt(head, 44, 4));
+    return Volume(partition, std::move(*table), reserved + kTables * length, NumberAt(head, 44, 4));
   }
 
   // By the short names of its folders and its own, "LOADER  CON" for loader.con.
   Result<Extent> Find(std::initializer_list<std::string_view> names) {
     std::uint32_t cluster = root_, bytes = 0;
+    std::vector<std::uint64_t> folders;
     for (const std::string_view name : names) {
+      folders.push_back(data_at_ + cluster - 2);
       auto entry = EntryOf(cluster, name);
       if (!entry) return tl::unexpected(entry.error());
       cluster = NumberAt(*entry, 20, 2) << 16U | NumberAt(*entry, 26, 2);
@@ -70,6 +77,11 @@ class Volume {
       if (chain[i] != chain[0] + i) return Wrong(std::string(*(names.end() - 1)) + " lies in several pieces");
     if (chain.size() != wanted || chain.empty())
       return Wrong(std::string(*(names.end() - 1)) + " is not as long as its folder says");
+    const auto is_its = [&](std::uint64_t sector) {
+      return sector >= chain.front() && sector <= chain.back();
+    };
+    if (std::ranges::any_of(folders, is_its)) return Wrong("a folder lies in a file");
+    if ((chain.back() + 1) * kSector_bytes > partition_->bytes()) return Wrong("a file lies behind its end");
     return Extent{chain[0] * kSector_bytes, bytes};
   }
 
@@ -109,13 +121,10 @@ class Volume {
   std::uint32_t root_;
 };
 
-}  // namespace
-
-Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot) {
-  auto volume = Volume::Open(partition);
-  if (!volume) return tl::unexpected(volume.error());
+// By a volume that was opened already: three files are looked for in one table.
+Result<Extent> KernelOf(Volume& volume, ports::Slot slot) {
   const auto kernel =
-      volume->Find({"EFI        ", "LINUX      ", slot == ports::Slot::kA ? "KAORI-A EFI" : "KAORI-B EFI"});
+      volume.Find({"EFI        ", "LINUX      ", slot == ports::Slot::kA ? "KAORI-A EFI" : "KAORI-B EFI"});
   if (!kernel) return kernel;
   if (kernel->bytes != kKernel_bytes || kernel->at_bytes % kMiB != 0)
     return Wrong("a kernel has another size, or does not begin on a whole MiB");
@@ -123,10 +132,33 @@ Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot) {
 }
 
 // FAT gives the long name loader.conf this short one; no other file of an image begins so.
+Result<Extent> SettingsOf(Volume& volume) {
+  return volume.Find({"LOADER     ", "LOADER~1CON"});
+}
+
+// Both in bytes of the partition.
+bool Overlap(const Extent& a, const Extent& b) {
+  return a.at_bytes < b.at_bytes + b.bytes && b.at_bytes < a.at_bytes + a.bytes;
+}
+
+}  // namespace
+
+// By a table that is damaged two files may lie in one place; to write the one would spoil the other.
+Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot) {
+  auto volume = Volume::Open(partition);
+  if (!volume) return tl::unexpected(volume.error());
+  const auto kernel = KernelOf(*volume, slot), other = KernelOf(*volume, ports::Other(slot)),
+             settings = SettingsOf(*volume);
+  for (const auto* each : {&kernel, &other, &settings})
+    if (!*each) return *each;
+  if (Overlap(*kernel, *other) || Overlap(*kernel, *settings)) return Wrong("two files lie in one place");
+  return kernel;
+}
+
 Result<Extent> FindSettings(ports::BlockDevice& partition) {
   auto volume = Volume::Open(partition);
   if (!volume) return tl::unexpected(volume.error());
-  const auto settings = volume->Find({"LOADER     ", "LOADER~1CON"});
+  const auto settings = SettingsOf(*volume);
   if (settings && settings->bytes != kSettings_bytes) return Wrong("loader.conf does not fill one sector");
   return settings;
 }

@@ -22,7 +22,8 @@ inline constexpr std::uint64_t kSettings_bytes = 512;
 
 // A slot's kernel with its command line, EFI/Linux/kaori-a.efi or kaori-b.efi. Reads the tables alone. Errors:
 //   bad_message  the partition is not laid out as an image lays it out: the file is missing, has another
-//                size, lies in several pieces or not on a whole MiB
+//                size, lies in several pieces, not on a whole MiB, or where the other slot's, loader.conf or a folder
+//                lies too
 //   those of BlockDevice
 Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot);
 

@@ -11,6 +11,9 @@ namespace kaori::loader {
 // As the kernel mounts it.
 inline constexpr const char* kVariables = "/sys/firmware/efi/efivars";
 
+// The firmware keeps it in its own memory, over a power cut as well, until the loader has read it: so a try that was asked for
+// may be made hours later, and is one all the same.
+//
 // Writes LoaderEntryOneShot with an entry's name, "kaori-b.efi", and reads it back; the loader removes it as
 // it reads it. `folder` is that of efivarfs. Blocks for the firmware. Errors:
 //   not_supported      there are no variables, or what was read back is not what was written

@@ -1,4 +1,4 @@
-// systemd-boot's choice: the default stands in loader.conf, one try in a variable of the firmware.
+// The choice of systemd-boot: the default stands in loader.conf, one try in a variable of the firmware.
 #pragma once
 
 #include <filesystem>

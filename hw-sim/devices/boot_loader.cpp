@@ -6,13 +6,13 @@ namespace kaori::sim {
 
 Result<void> BootLoader::TryOnce(ports::Slot slot) {
   if (forgets_) return Fail(std::errc::not_supported, "write the simulated firmware's variable");
+  if (before_try_) before_try_();
   once_ = slot;
   return {};
 }
 
 Result<void> BootLoader::Confirm(ports::Slot slot) {
   if (slot == default_) return {};
-  if (before_confirm_) before_confirm_();
   default_ = slot;
   return {};
 }

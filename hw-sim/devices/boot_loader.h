@@ -8,6 +8,8 @@
 
 namespace kaori::sim {
 
+// The default is on its disk, and the one try in its firmware: two memories, of which a PC may lose the second.
+//
 // One thread.
 class BootLoader final : public ports::BootChoice {
  public:
@@ -21,8 +23,8 @@ class BootLoader final : public ports::BootChoice {
   ports::Slot SwitchOn();
   // Its firmware keeps no variables from now on.
   void ForgetVariables() { forgets_ = true; }
-  // Called before the default changes: what is on the disk then can be judged.
-  void CallBeforeConfirm(std::function<void()> call) { before_confirm_ = std::move(call); }
+  // Called before one try is kept: what is on the disk then can be judged.
+  void CallBeforeTry(std::function<void()> call) { before_try_ = std::move(call); }
 
  private:
   ports::Slot default_ = ports::Slot::kA;
@@ -30,7 +32,7 @@ class BootLoader final : public ports::BootChoice {
   // What the firmware keeps until the next start.
   std::optional<ports::Slot> once_;
   bool forgets_ = false;
-  std::function<void()> before_confirm_;
+  std::function<void()> before_try_;
 };
 
 }  // namespace kaori::sim

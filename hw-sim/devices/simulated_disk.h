@@ -18,6 +18,9 @@ struct DiskEvent {
   std::vector<std::uint8_t> content;
 };
 
+// Writes reach the content at once, as a disk's memory has them; what of it a cut leaves is for the test to say, by the
+// events: what was flushed is there, and of what was not any part, in any order.
+//
 // One thread. Its partitions must not outlive it.
 class SimulatedDisk {
  public:
@@ -32,8 +35,10 @@ class SimulatedDisk {
   // Since the disk was made, or forgot them.
   const std::vector<DiskEvent>& events() const { return events_; }
   void ForgetEvents() { events_.clear(); }
+  // A worn disk, which says so.
   // So many more writes succeed; each one after them, and each flush, fails with io_error.
   void FailAfter(std::uint64_t writes) { writes_left_ = writes; }
+  // A worn disk, which does not.
   // What is written from now on is another byte on the disk than it was told: it rots.
   void Rot() { rots_ = true; }
 

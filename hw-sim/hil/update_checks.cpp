@@ -18,8 +18,13 @@ using std::chrono::minutes;
 using std::chrono::seconds;
 
 // All of it is emulated, the firmware in system management mode too.
+// From power on until a face moves: the firmware reads and measures a kernel of 24 MiB with an emulated processor, and the
+// loader and the kernel come before the first frame, which the processor draws.
 constexpr Duration kLongestUpdateStart = minutes(10);
+// The whole file is read, unpacked, written and read back by a program of the idle class, beside a face that takes all that
+// the processors give.
 constexpr Duration kLongestUpdating = minutes(30);
+// The trial itself takes one to three minutes of the machine, whose clock is the host's.
 constexpr Duration kLongestTrial = minutes(6);
 constexpr Duration kStickListed = seconds(90);  // Of a stick that is plugged in, until it stands in the list.
 constexpr Duration kDiskLooks = seconds(10);    // Between two looks at what the machine has written.
@@ -65,6 +70,8 @@ class UpdatedPc {
                            .disk = Disk(),
                            .variables = Variables()});
   }
+  // Read on the host while the machine runs or is off: QEMU writes the copy itself, and what the guest has flushed is in
+  // the file. The partition is read whole, since the host has no loader that knows where the file lies.
   // The slot that starts by itself, 'a' or 'b'; '?' where loader.conf says something else.
   char Default() const {
     constexpr std::string_view kLine = "\ndefault kaori-";
@@ -76,6 +83,7 @@ class UpdatedPc {
     const std::size_t at = boot.find(kLine);
     return at == boot.npos ? '?' : boot[at + kLine.size()];
   }
+  // The machine may be writing meanwhile: a copy that was caught in the middle gives another answer at the next look.
   // A file of the data partition as a start would find it: of a copy, whose journal is played.
   std::string Kept(const std::string& name) const {
     const std::string data = folder_ + "/data.ext4", log = folder_ + "/debugfs.log";
@@ -91,6 +99,8 @@ class UpdatedPc {
     static_cast<void>(RunToEnd({"debugfs", "-R", "dump " + name + " " + folder_ + "/kept", data}, log));
     return ReadFile(folder_ + "/kept").value_or("");
   }
+  // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first thing
+  // that is read of a root.
   // Another byte in the root of slot B, which its kernel then refuses.
   Result<void> SpoilSlotB() const {
     constexpr std::uint64_t kSuperBlock_bytes = 1024 + 64;
@@ -112,6 +122,8 @@ class UpdatedPc {
   std::string folder_;  // Empty: moved away.
 };
 
+// The face is there when the screen is near the image's still, and moves when a later picture differs from the first such
+// one: a splash that stands for ever is no face. Errors: timed_out.
 Result<void> AwaitUpdateFace(Scene& scene, const char* when) {
   const std::string still = scene.target.machine().options().image + "/root/usr/share/kaori/still.ppm";
   const std::string shot = scene.folder + "/update-shot.png", first = scene.folder + "/update-still.png";
@@ -128,6 +140,7 @@ Result<void> AwaitUpdateFace(Scene& scene, const char* when) {
   return scene.target.Await(moves, kLongestUpdateStart, fmt::format("see the face move {}", when));
 }
 
+// A whole press, as long as a person holds a key: the input program of an emulated box reads it late.
 void PressKey(Scene& scene, std::uint8_t key) {
   scene.target.rig().devices().keyboard.Press(key);
   scene.target.For(std::chrono::milliseconds(500));
@@ -147,6 +160,9 @@ Result<void> AwaitKept(Scene& scene, const UpdatedPc& pc, const std::string& nam
   return Fail(std::errc::timed_out, fmt::format("see {} on the disk, which has \"{}\"", name, kept));
 }
 
+// The presses are those of a stage hand who has only the sheet beside the box: the key, the stick, a number. Where the screen
+// shows the list too late for that, the check fails with the picture of what it showed instead.
+//
 // With the key on the stick is plugged in; the first of the list is taken, which is the update.
 Result<void> BringUpdate(Scene& scene, const UpdatedPc& pc) {
   if (auto ok = scene.target.PlugAll(); !ok) return ok;
@@ -166,6 +182,8 @@ Result<void> BringUpdate(Scene& scene, const UpdatedPc& pc) {
   return ok;
 }
 
+// Restarting takes a moment in which the programs are stopped: a second press comes only when the first one went nowhere.
+//
 // The second of the list is the restart; QEMU ends where a PC starts again.
 Result<void> RestartIntoB(Scene& scene) {
   constexpr int kMostPresses = 3;
@@ -178,6 +196,8 @@ Result<void> RestartIntoB(Scene& scene) {
   return FailInput("the box does not restart to try the update");
 }
 
+// Both the check and its control begin so.
+//
 // Brings the update in and restarts; the machine is off then.
 Result<void> UpdateAndRestart(Scene& scene, const UpdatedPc& pc) {
   auto ok = pc.Start(scene);
@@ -211,6 +231,8 @@ Result<void> Update(Scene& scene) {
   return ok;
 }
 
+// What is spoilt is spoilt by the host between two starts, behind the back of the box that read everything back.
+//
 // The control: an update whose root is not what its kernel wants gives way within one start.
 Result<void> ABadUpdateGivesWay(Scene& scene) {
   auto pc = UpdatedPc::Make(scene);

@@ -53,6 +53,30 @@ TEST_F(BootPartition, OfAKernelOfAnotherSizeIsRefused) {
   EXPECT_EQ(CauseOfKernelB(), std::errc::bad_message);
 }
 
+// To write such a kernel would spoil the one that runs, what the loader reads, or a folder.
+TEST_F(BootPartition, OfAKernelThatLiesWhereSomethingElseDoesIsRefused) {
+  const auto cause_with = [&](std::uint32_t cluster) {
+    fat_.Put(FatFixture::EntryAt(4, 1) + 26, cluster & 0xFFFFU, 2);
+    fat_.Put(FatFixture::EntryAt(4, 1) + 20, cluster >> 16U, 2);
+    return CauseOfKernelB();
+  };
+  EXPECT_EQ(cause_with(FatFixture::kFirstOfKernelB), std::errc{});
+  EXPECT_EQ(cause_with(FatFixture::kFirstOfKernelB - 49152), std::errc::bad_message) << "the other kernel";
+  fat_.Put(FatFixture::EntryAt(5, 0) + 26, FatFixture::kFirstOfKernelB + 7, 2);
+  fat_.Put(FatFixture::EntryAt(5, 0) + 20, 0, 2);
+  EXPECT_EQ(cause_with(FatFixture::kFirstOfKernelB), std::errc::bad_message) << "loader.conf";
+}
+
+TEST_F(BootPartition, OfFilesThatReachBehindItsEndIsRefused) {
+  partition_ = disk_.Partition(0, FatFixture::kBytes - 512 - (1U << 20U));
+  EXPECT_EQ(CauseOfSettings(), std::errc::bad_message);
+}
+
+TEST_F(BootPartition, WithoutItsSecondTableIsRefused) {
+  disk_.content()[16] = 1;
+  EXPECT_EQ(CauseOfSettings(), std::errc::bad_message);
+}
+
 TEST_F(BootPartition, WhoseTableGoesRoundInCirclesIsRefused) {
   fat_.Link(FatFixture::kFirstOfKernelB + 100, FatFixture::kFirstOfKernelB);
   fat_.Link(5, 5);

@@ -65,7 +65,6 @@ make_update_stick() {
     mkfs.vfat -F 32 -n STICK -C $STICKS/update.stick 163840 >>"$LOGS/sticks.log" &&
     mcopy -i $STICKS/update.stick $STICKS/box.kaoriupdate ::/ >>"$LOGS/sticks.log" 2>&1 ||
     fail "the stick with an update could not be made; see $LOGS/sticks.log"
-  rm $STICKS/box.kaoriupdate
 }
 
 # Four sticks: a show of a theatre that the box does not know, with its key, in a partition as sticks are sold; another
@@ -113,6 +112,7 @@ run_all_checks() {
   run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
+  run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update $STICKS/box.kaoriupdate out/update.json
   tests/system/company_report.py out
 }
 
@@ -122,7 +122,7 @@ test_on_the_bench() {
   need "${MACHINE_PACKAGES[@]}"
   [ $# -gt 0 ] || need "${WINDOW_PACKAGES[@]}" "${LONG_PACKAGES[@]}"
   image
-  build release kaori-atelier kaori-bench kaori-hil-agent kaori-gadget kaori-lips kaori-camera-libcamera kaori-input-latency test-desk
+  build release kaori-atelier kaori-bench kaori-hil-agent kaori-gadget kaori-lips kaori-camera-libcamera kaori-input-latency test-desk test-update
   if [ $# -gt 0 ]; then
     say "running the chosen checks on the image in a virtual machine"
     run_checks --chosen --replugs 24 --scenes 2 || fail "the box failed on the bench"

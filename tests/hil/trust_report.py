@@ -10,12 +10,12 @@ gets one figure for each key of BOUNDS; ends with 1 where one is missing or out 
   silent_clients_wait_ms         until a visitor is answered behind a thousand connections that say nothing
 """
 
-import json
 import math
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import bounded_report
 import recorded
 
 # The least and the most of each.
@@ -42,25 +42,13 @@ def figures(seen, wait_ms):
 
 
 def faults(found):
-    """A line for each figure that is missing or out of its bounds."""
-    for name, (least, most) in BOUNDS.items():
-        value = found[name]
-        if value is None:
-            yield f"{name} was not measured"
-        elif not least <= value <= most:
-            yield f"{name} is {value:g}, and {least:g} to {most:g} is wanted"
+    return bounded_report.faults(found, BOUNDS)
 
 
 def main():
     boot, program, file = (Path(word).resolve() for word in sys.argv[1:4])
-    found = figures(json.loads(boot.read_text()) if boot.is_file() else {}, wait_of_visitor(program))
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(json.dumps(found, indent=2) + "\n")
-    print("\n".join(f"{name:24} {value}" for name, value in found.items()))
-    wrong = list(faults(found))
-    for line in wrong:
-        print(f"trust_report.py: {line}", file=sys.stderr)
-    return 1 if wrong else 0
+    found = figures(bounded_report.read(boot), wait_of_visitor(program))
+    return bounded_report.write("trust_report.py", found, BOUNDS, file)
 
 
 if __name__ == "__main__":

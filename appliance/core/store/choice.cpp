@@ -122,6 +122,7 @@ std::vector<std::string> InOrder(const Choice& choice) {
 
 std::filesystem::path PackOf(std::string_view id, const std::filesystem::path& shows,
                              const std::filesystem::path& root_pack) {
+  if (id == kCopiedShow) return shows / kCopyName;
   return IsId(id) ? shows / PackName(id) : root_pack;
 }
 

@@ -5,6 +5,7 @@
 //   ID.kaori            packs; ID is the checksum of the pack's content, 64 hexadecimal digits
 //   choice.0, choice.1  the choice in two generations: the older one still stands where the newer is torn
 //   incoming            a pack that is being copied; of no meaning after a power cut
+//   root.copy           a copy of the root's show, for the day on which the root's disk is spoilt
 // One program writes the folder, kaori-shows; kaori-boot and kaori-stage read the choice.
 #pragma once
 
@@ -20,6 +21,9 @@ namespace kaori::store {
 
 // The show that lies in the root, which is always there.
 inline constexpr std::string_view kRootShow = "root";
+// Its copy in the folder of shows. Nobody chooses it.
+inline constexpr std::string_view kCopiedShow = "copy";
+inline constexpr const char* kCopyName = "root.copy";
 inline constexpr std::array<const char*, 2> kChoiceFiles{"choice.0", "choice.1"};
 
 // What is played, and what was played before it: each the id of a pack, or kRootShow.
@@ -65,7 +69,7 @@ Choice ReadChoice(const std::filesystem::path& shows);
 // What is to be tried, in this order: current, previous, root; each once.
 std::vector<std::string> InOrder(const Choice& choice);
 
-// The pack of a show: in `shows`, or `root_pack`. `id` is as in Choice.
+// The pack of a show: in `shows`, or `root_pack`. `id` is as in Choice, or kCopiedShow.
 std::filesystem::path PackOf(std::string_view id, const std::filesystem::path& shows,
                              const std::filesystem::path& root_pack);
 

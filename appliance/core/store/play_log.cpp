@@ -18,10 +18,11 @@ bool Contains(const std::vector<std::string>& shows, const std::string& show) {
 }
 
 // Ends that lie at the same moment as now count: the stage that starts after the third is the one that asks.
-bool EndedTooOften(const PlayLog& log, const std::string& show, Time now) {
+bool EndedSoOften(const PlayLog& log, const std::string& show, Time now, int most) {
+  if (log.unsettled >= most && !log.ends.empty() && log.ends.back().show == show) return true;
   return std::ranges::count_if(log.ends, [&](const PlayLog::End& end) {
            return end.show == show && now - end.at <= kEndsWithin;
-         }) >= kMostEnds;
+         }) >= most;
 }
 
 }  // namespace
@@ -41,16 +42,20 @@ PlayLog Started(PlayLog log, const Choice& choice, Time now) {
   if (!settled) log.unsettled = 1 + (!log.ends.empty() && log.ends.back().show == ended ? log.unsettled : 0);
   if (log.ends.size() >= kMostKept) log.ends.erase(log.ends.begin());
   log.ends.push_back({ended, now});
-  if (ended == kRootShow || Contains(log.given_up, ended)) return log;
-  if (log.unsettled < kMostEnds && !EndedTooOften(log, ended, now)) return log;
+  if (!IsId(ended) || Contains(log.given_up, ended)) return log;
+  if (!EndedSoOften(log, ended, now, kMostEnds)) return log;
   log.given_up.push_back(ended);
   return log;
 }
 
+bool IsDoubted(const PlayLog& log, const std::string& show, Time now) {
+  return EndedSoOften(log, show, now, kDoubtedEnds);
+}
+
 std::vector<std::string> ToTry(const PlayLog& log, const Choice& choice) {
   auto order = InOrder(choice);
-  std::erase_if(order,
-                [&](const std::string& show) { return show != kRootShow && Contains(log.given_up, show); });
+  order.emplace_back(kCopiedShow);
+  std::erase_if(order, [&](const std::string& show) { return IsId(show) && Contains(log.given_up, show); });
   return order;
 }
 
@@ -74,7 +79,7 @@ PlayLog ParsePlayLog(std::string_view text) {
   std::string word, show;
   if (!(words >> word >> log.generation) || word != "generation") return {};
   while (words >> word >> show) {
-    if (show != kRootShow && !IsId(show)) return {};
+    if (show != kRootShow && show != kCopiedShow && !IsId(show)) return {};
     Duration::rep at = 0;
     if (word == "playing") {
       log.playing = show;

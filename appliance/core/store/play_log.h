@@ -18,6 +18,8 @@ namespace kaori::store {
 // after the other without having played for that span at all: one that hangs, or ends slowly, takes longer
 // for each end.
 inline constexpr int kMostEnds = 3;
+// After so many of them the root's show is read before it is believed: its disk may be spoilt.
+inline constexpr int kDoubtedEnds = 2;
 inline constexpr Duration kEndsWithin = std::chrono::minutes(1);
 inline constexpr Duration kSettlesAfter = kEndsWithin;
 
@@ -43,12 +45,23 @@ struct PlayLog {
 // The result names no show as playing. Pure.
 PlayLog Started(PlayLog log, const Choice& choice, Time now);
 
-// The shows that are left to try, in their order; the root's is always among them. Pure.
+// Whether a show has ended the stage so often that its file is looked at anew. Pure.
+bool IsDoubted(const PlayLog& log, const std::string& show, Time now);
+
+// The shows that are left to try, in their order; the root's is always among them, and its copy the last. Pure.
 std::vector<std::string> ToTry(const PlayLog& log, const Choice& choice);
 
 // As text, and back; an unsound text is an empty log. Pure.
 std::string Format(const PlayLog& log);
 PlayLog ParsePlayLog(std::string_view text);
+
+// Beside the board, in memory, the stage says of the root's show:
+//   show-settled  it has been seen for kSettlesAfter, so that a copy of it is worth keeping
+//   show-spoilt   it cannot be read, and its copy plays: lines for the status picture
+//   no-show       no show can be read at all, and why
+inline constexpr const char* kSettledFile = "show-settled";
+inline constexpr const char* kSpoiltFile = "show-spoilt";
+inline constexpr const char* kNoShowFile = "no-show";
 
 // Where the stage keeps the log: beside the board. Pure.
 std::filesystem::path PlayLogBeside(const std::filesystem::path& board);

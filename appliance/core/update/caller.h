@@ -26,6 +26,8 @@ inline constexpr std::string_view kLook = "look", kInstall = "install", kIsWaiti
                                   kRestart = "restart";
 inline constexpr std::size_t kLongestPacket_bytes = 1024;
 
+// What kaori-shows makes of it: a line on the screen in two languages, and one in the log.
+//
 // One answer.
 struct Answer {
   Message message = Message::kNothingWaits;

@@ -13,6 +13,9 @@ namespace kaori::update {
 // The window of a frame, by which its reader's memory is bounded: 8 MiB.
 inline constexpr int kWindow_log2 = 23;
 
+// A frame is asked for content a piece at a time, and nothing of it is kept but the window: a box of 512 MiB unpacks what is
+// larger than its memory. What is behind the frame's end is not looked at.
+//
 // Unpacks one frame. One thread.
 class Unpacker {
  public:

@@ -1,8 +1,8 @@
 // kaori-boot: process 1 of the box. Shows the boot splash (the picture of the last face, or of the show's
 // first one), mounts what is kept, applies the settings, and then becomes systemd.
 //
-// Nothing stops it: a box that cannot show a splash starts all the same, and a moment later the stage says
-// what is wrong. What it has to say itself goes to the kernel's log.
+// Nothing stops it: a box that cannot show a splash starts all the same, and a moment later the stage says what is
+// wrong. What it has to say itself goes to the kernel's log.
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -27,6 +27,7 @@
 #include "appliance/programs/boot/pc_faults.h"
 #include "appliance/programs/boot/pipe.h"
 #include "appliance/programs/boot/profile.h"
+#include "appliance/programs/boot/reset.h"
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
 #include "appliance/programs/boot/usb_medium.h"
@@ -59,8 +60,7 @@ constexpr const char* kZones = "/usr/share/zoneinfo";
 constexpr const char* kProfiles = "/run/kaori-profile";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
-// The process id by which the program knows that the kernel has started it, and its status when it is
-// misused.
+// The process id by which the program knows that the kernel has started it, and its status when it is misused.
 constexpr pid_t kFirstProcess = 1;
 constexpr int kMisused = 2;
 constexpr int kLongestMount_ms = 1000;         // A disk that takes longer is not waited for, and
@@ -68,8 +68,7 @@ constexpr int kLongestSplash_ms = 2500;        // neither is a card.
 constexpr unsigned kCheckPeriod_us = 200'000;  // How often the splash asks whether it is still shown,
 constexpr int kMostChecks = 5 * 60 * 5;        // and how often at most: for five minutes.
 
-// Maps a whole file, or as much of its beginning, for as long as the program lives: the splash waits for no
-// copy.
+// Maps a whole file, or as much of its beginning, for as long as the program lives: the splash waits for no copy.
 std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX) {
   const UniqueFd fd(::open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat status {};
@@ -262,6 +261,7 @@ void Boot() {
   mounted->read_end.reset();
   done->write_end.reset();
   const bool keeps = MountData();
+  if (const auto said = keeps ? kaori::boot::Reset(kData) : ""; !said.empty()) Report(said);
   if (keeps) Restore();
   mounted->write_end.reset();
   GiveCards();

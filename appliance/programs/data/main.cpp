@@ -1,6 +1,6 @@
-// kaori-data: mends the data partition, once the service key is on.
+// kaori-data: mends the data partition, once the service key is on; and hears who asks for a factory reset.
 //
-// It runs only on a box whose data partition could not be mounted: kaori-boot leaves its device's name in a
+// It mends only on a box whose data partition could not be mounted: kaori-boot leaves its device's name in a
 // file. The show plays meanwhile, and keeps nothing. Nobody's settings are touched before somebody with the
 // key wants it.
 #include <chrono>
@@ -11,6 +11,7 @@
 #include "appliance/core/board/service_key.h"
 #include "appliance/programs/data/folders.h"
 #include "appliance/programs/data/mend.h"
+#include "appliance/programs/data/reset_request.h"
 #include "drivers/base/clock.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
@@ -29,12 +30,16 @@ constexpr std::string_view kHelp =
 
   --board FILE      the board, shared with the other programs (/run/kaori/board)
   --settings FOLDER what kaori-boot left when the box started (/run/kaori-profile)
+  --reset FILE      instead: makes this file, by which the next start is a factory reset, and starts the box again, where
+                    GO is held for 10 s with the service key on in the first minute, and let go
+  --notice FILE     what the status picture says of that (/run/kaori-reset/notice)
 
 What e2fsck can save is saved. A partition that is beyond mending is made anew, and what it kept is lost.
 )";
 
 struct Settings {
-  std::string board = "/run/kaori/board", folder = "/run/kaori-profile";
+  std::string board = "/run/kaori/board", folder = "/run/kaori-profile", reset,
+              notice = "/run/kaori-reset/notice";
 };
 
 constexpr auto kPeriod = std::chrono::milliseconds(100);
@@ -53,6 +58,60 @@ Result<void> AwaitKey(const std::string& board) {
     if (!kaori::board::IsServiceKeyOnAt(board)) off = clock.now();
     if (clock.now() - off >= kHeld) loop->Stop();
   });
+}
+
+// What the status picture says, in both languages.
+constexpr const char* kLetGo =
+    "Let go of GO now: the box forgets its shows and settings and starts again. Hold it on to change "
+    "nothing.\n"
+    "今GOを離すと、公演と設定を消して再起動します。押し続けると何も変わりません。\n";
+constexpr const char* kResets =
+    "The box forgets its shows and settings and starts again.\n"
+    "公演と設定を消して再起動します。\n";
+
+// An empty text takes the notice away. Without it the reset is done all the same.
+void SayOfReset(const std::string& file, std::string_view text) {
+  std::error_code none;
+  if (text.empty())
+    std::filesystem::remove(file, none);
+  else if (auto told = kaori::WriteWholeFile(file, {kaori::AsBytes(text)}, kReadOnly); !told)
+    kaori::LogWarning("{}", told.error().message());
+}
+
+// Blocks until it is known whether somebody asks. Errors: those of the loop.
+Result<bool> AwaitRequest(const Settings& settings) {
+  using Verdict = kaori::data::ResetRequest::Verdict;
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return tl::unexpected(loop.error());
+  const kaori::SteadyClock clock;
+  kaori::data::ResetRequest request(clock.now());
+  auto verdict = Verdict::kWaiting;
+  const auto look = [&] {
+    const auto board = kaori::board::Board::Open(settings.board);
+    const auto lines =
+        board ? board->Read<kaori::board::Lines>() : kaori::board::Stamped<kaori::board::Lines>{};
+    const bool key_is_on = IsServiceKeyOn(lines);
+    const auto before = verdict;
+    verdict = request.See(key_is_on, key_is_on && IsOn(lines.value, kaori::board::Line::kGo), clock.now());
+    if (verdict != before) SayOfReset(settings.notice, verdict == Verdict::kLetGo ? kLetGo : "");
+    if (verdict == Verdict::kAsked || verdict == Verdict::kOver) loop->Stop();
+  };
+  if (auto ran = loop->RunEvery(kPeriod, look); !ran) return tl::unexpected(ran.error());
+  return verdict == Verdict::kAsked;
+}
+
+// Whoever asks has both in their hands for as long as it takes to think again, and reads what happens as they let go.
+// The next start does it, before any other program (kaori-boot).
+Result<void> ResetWhereAsked(const Settings& settings) {
+  const auto asked = AwaitRequest(settings);
+  if (!asked) return tl::unexpected(asked.error());
+  if (!*asked) return {};
+  if (auto kept = kaori::WriteWholeFile(settings.reset, {}); !kept) return kept;
+  kaori::LogWarning("GO was held with the service key on: the box starts again, and what it kept goes");
+  SayOfReset(settings.notice, kResets);
+  const auto status = kaori::RunProgram({"/bin/systemctl", "reboot"});
+  if (!status) return tl::unexpected(status.error());
+  return *status == 0 ? Result<void>{} : kaori::Fail(std::errc::io_error, "systemctl reboot");
 }
 
 // The programs that keep something find the partition when they start. The last picture stays meanwhile.
@@ -86,8 +145,15 @@ int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-data");
   Settings settings;
   kaori::Options options(kHelp);
-  options.Text("--board", settings.board).Text("--settings", settings.folder);
+  options.Text("--board", settings.board)
+      .Text("--settings", settings.folder)
+      .Text("--reset", settings.reset)
+      .Text("--notice", settings.notice);
   if (const auto status = options.Parse(argc, argv)) return *status;
+  if (!settings.reset.empty()) {
+    const auto done = ResetWhereAsked(settings);
+    return done ? 0 : kaori::ExitWithError(done.error());
+  }
   const std::string file = settings.folder + "/data_ruined";
   std::error_code none;
   if (!std::filesystem::exists(file, none)) return kaori::Log("the data partition is whole"), 0;

@@ -200,7 +200,7 @@ Result<bool> Installation::MakeRoom(std::uint64_t bytes) {
   return folder_.FreeBytes().map([&](std::uint64_t now) { return now >= wanted; });
 }
 
-// The pack of the new show itself is among the first where it is there and does not play, or is spoilt: it is
+// A copy of the root's show is first. The pack of the new show itself is among the next where it is there and does not play, or is spoilt: it is
 // copied anew.
 Result<std::vector<std::string>> Installation::Removable() const {
   auto names = folder_.Names();
@@ -210,12 +210,15 @@ Result<std::vector<std::string>> Installation::Removable() const {
     return !is_copied_anew && name == store::PackName(id);
   };
   std::erase_if(*names, [&](const std::string& name) {
+    if (name == store::kCopyName) return false;
     return !name.ends_with(".kaori") || is(name, before_.current) || is(name, plays_);
   });
   std::ranges::sort(*names);
   // Not that of std::ranges, which clang-tidy 14 cannot read.
   std::stable_partition(names->begin(), names->end(),
                         [&](const std::string& name) { return !is(name, before_.previous); });
+  const auto is_copy = [](const std::string& name) { return name == store::kCopyName; };
+  std::stable_partition(names->begin(), names->end(), is_copy);
   return names;
 }
 

@@ -18,6 +18,7 @@
 #include "appliance/core/board/watch.h"
 #include "appliance/core/store/play_log.h"
 #include "appliance/programs/shows/backup_commands.h"
+#include "appliance/programs/shows/copy.h"
 #include "appliance/programs/shows/install_service.h"
 #include "appliance/programs/shows/sticks.h"
 #include "appliance/programs/shows/support_file.h"
@@ -49,6 +50,7 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --journal FOLDER   where the journal lies (that of this system)
   --update SOCKET    where kaori-update listens, which brings updates of the box in (/run/kaori-update-socket)
   --install FILE     instead: installs this pack, says how it went, and ends
+  --keep FILE        instead: keeps a copy of this pack, the root's, beside the shows, where there is room, and ends
   --support FOLDER   instead: writes a support file into this folder, says its name, and ends
   --backup FOLDER    instead: writes a backup of the box into this folder, says its name, and ends
   --diff FILE        instead: says what a restore of this backup would change, and ends
@@ -62,7 +64,7 @@ struct Settings {
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
               trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
               report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
-              journal, install, support, backup, diff, restore, update = kaori::update::kSocket;
+              journal, install, support, backup, diff, restore, keep, update = kaori::update::kSocket;
   bool plugged = false, with_name = false, at_once = false;
 };
 
@@ -179,6 +181,12 @@ int Restore(const Settings& settings) {
                                      only_says ? settings.diff : settings.restore, when);
 }
 
+// Once the root's show has been seen for a while.
+int Keep(const Settings& settings) {
+  const auto kept = kaori::shows::KeepCopyOf(settings.keep, settings.shows);
+  return kept ? 0 : kaori::ExitWithError(kept.error());
+}
+
 // Ends when the file of the key is gone, which is asked for at each step and during a trial. The lines for
 // the screen go with it; `chosen` stays, since the stage compares it with what it plays.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
@@ -252,7 +260,8 @@ int main(int argc, char** argv) {
       .Text("--journal", settings.journal)
       .Text("--update", settings.update)
       .Text("--install", settings.install)
-      .Text("--support", settings.support);
+      .Text("--support", settings.support)
+      .Text("--keep", settings.keep);
   options.Text("--backup", settings.backup)
       .Text("--diff", settings.diff)
       .Text("--restore", settings.restore)
@@ -261,6 +270,7 @@ int main(int argc, char** argv) {
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (!settings.install.empty()) return Install(settings);
   if (!settings.support.empty()) return Support(settings);
+  if (!settings.keep.empty()) return Keep(settings);
   if (!settings.backup.empty()) return Backup(settings);
   if (!settings.diff.empty() || !settings.restore.empty()) return Restore(settings);
   auto loop = kaori::EventLoop::Open();

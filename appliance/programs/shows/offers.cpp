@@ -52,8 +52,10 @@ std::vector<Choosable> WaysOn(const std::filesystem::path& pending) {
   constexpr std::size_t kMostNote_bytes = 64;
   const auto waits = update::ParsePending(ReadFile(pending, {.most_bytes = kMostNote_bytes}).value_or(""));
   if (!waits) return {};
+  const std::string which =
+      waits->version == 0 ? "its other system" : fmt::format("version {}", waits->version);
   return {{.kind = Choosable::Kind::kRestart,
-           .offer = {.file = {}, .name = fmt::format("restart the box to try version {}", waits->version)},
+           .offer = {.file = {}, .name = "restart the box to try " + which},
            .remark = {}}};
 }
 

@@ -29,11 +29,19 @@ show::LoadOptions OptionsOf(const ShowPlaces& places) {
   return {.signed_by = keys.value_or(show::PublicKeys{}), .on_verified_root = false};
 }
 
-// The root's show is opened as the options of the command line say, which trust the verified root; all others
-// as foreign files.
-Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places) {
+// The root's show is opened as the options of the command line say, which trust the verified root; its copy by the same
+// keys, but read and checked as a whole; all others as foreign files.
+show::LoadOptions OptionsFor(const std::string& id, const ShowPlaces& places) {
+  if (id == store::kRootShow) return places.of_root;
+  if (id == store::kCopiedShow) return {.signed_by = places.of_root.signed_by, .on_verified_root = false};
+  return OptionsOf(places);
+}
+
+Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places, bool is_doubted = false) {
   auto pack = store::PackOf(id, places.shows, places.root_pack);
-  auto show = show::LoadPack(pack, id == store::kRootShow ? places.of_root : OptionsOf(places));
+  if (is_doubted)
+    if (auto ok = places.read_through(pack); !ok) return tl::unexpected(ok.error());
+  auto show = show::LoadPack(pack, OptionsFor(id, places));
   if (!show) return tl::unexpected(show.error());
   return ChosenShow{.show = std::move(*show), .id = id, .pack = std::move(pack)};
 }
@@ -50,6 +58,48 @@ void TellOfLostChoice(const ShowPlaces& places) {
       places.shows.string());
 }
 
+// A file beside the log; an empty text removes it.
+void Say(const ShowPlaces& places, const char* name, const std::string& text) {
+  if (places.play_log.empty()) return;
+  const auto file = places.play_log.parent_path() / name;
+  std::error_code none;
+  if (text.empty())
+    std::filesystem::remove(file, none);
+  else if (auto told = WriteWholeFile(file, {AsBytes(text)}); !told)
+    LogWarning("{}", told.error().message());
+}
+
+// Each is noted before it is read, so that an end while it is read counts against it.
+//
+// The first show that can be read, and in `log` that it plays. A copy that was never made is not looked for.
+Result<ChosenShow> LoadFirst(const std::vector<std::string>& shows, const ShowPlaces& places,
+                             store::PlayLog& log, Time now) {
+  Result<ChosenShow> chosen = FailInput("there is no show");
+  for (const std::string& id : shows) {
+    if (id == store::kCopiedShow && !IsThere(store::PackOf(id, places.shows, places.root_pack))) continue;
+    log.playing = log.last = id;
+    WritePlayLog(places, log);
+    chosen = Load(id, places, id == store::kRootShow && store::IsDoubted(log, id, now));
+    if (chosen) return chosen;
+    LogWarning("{}; the next show is tried", chosen.error().message());
+  }
+  return chosen;
+}
+
+// What people read of it, in both languages.
+void SayHowTheRootsShowDoes(const ShowPlaces& places, const Result<ChosenShow>& chosen) {
+  const bool is_copy = chosen && chosen->id == store::kCopiedShow;
+  if (is_copy)
+    LogError(
+        "the box's own show is spoilt on its disk, and its copy plays: bring an update, or write the disk "
+        "anew");
+  Say(places, store::kSpoiltFile,
+      is_copy ? "The box's own show is spoilt on its disk; its copy plays. Bring an update of the box.\n"
+                "箱の公演データが壊れています。控えで上演中です。箱のアップデートを入れてください。\n"
+              : "");
+  Say(places, store::kNoShowFile, chosen ? "" : chosen.error().message() + "\n");
+}
+
 }  // namespace
 
 // What is noted before the show is read: one that ends the stage while it is read counts as well.
@@ -64,20 +114,12 @@ Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now) {
   for (const std::string& id : log.given_up)
     LogWarning("the show {} ended the stage {} times too soon and gives way to the one before it", id,
                store::kMostEnds);
-  Result<ChosenShow> chosen = FailInput("there is no show");
   const std::string before = log.last;
-  for (const std::string& id : store::ToTry(log, choice)) {
-    log.playing = log.last = id;
-    WritePlayLog(places, log);
-    chosen = Load(id, places);
-    if (!chosen) {
-      LogWarning("{}; the next show is tried", chosen.error().message());
-      continue;
-    }
-    chosen->generation = std::max(choice.generation, told);
-    chosen->another = !before.empty() && before != id;
-    return chosen;
-  }
+  auto chosen = LoadFirst(store::ToTry(log, choice), places, log, now);
+  SayHowTheRootsShowDoes(places, chosen);
+  if (!chosen) return chosen;
+  chosen->generation = std::max(choice.generation, told);
+  chosen->another = !before.empty() && before != chosen->id;
   return chosen;
 }
 
@@ -109,6 +151,7 @@ bool ShowWatch::IsOver(Time now) {
     store::PlayLog log = store::ReadPlayLog(places_.play_log);
     log.settled = !log.playing.empty();
     WritePlayLog(places_, log);
+    if (log.playing == store::kRootShow) Say(places_, store::kSettledFile, log.playing + "\n");
   }
   return store::ReadTold(places_.chosen) > generation_;
 }

@@ -1,9 +1,10 @@
 // Which show this stage plays: the chosen one, unless it cannot be read or has ended the stage too often;
-// then the one before it, and at last the root's.
+// then the one before it, and at last the root's, or its copy.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "appliance/core/store/play_log.h"
 #include "appliance/programs/stage/taught_writer.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/read_file.h"
 #include "drivers/base/result.h"
 
 namespace kaori::stage {
@@ -19,12 +21,15 @@ namespace kaori::stage {
 // Where shows lie. Without `shows` there is one, `root_pack`, and nothing is noted.
 struct ShowPlaces {
   std::filesystem::path root_pack;
-  std::filesystem::path shows;     // The folder of the data partition; appliance/core/store/choice.h.
-  std::filesystem::path keys;      // Of the data partition: public keys that were brought to the box.
-  std::filesystem::path play_log;  // In memory: appliance/core/store/play_log.h.
+  std::filesystem::path shows;  // The folder of the data partition; appliance/core/store/choice.h.
+  std::filesystem::path keys;   // Of the data partition: public keys that were brought to the box.
+  std::filesystem::path
+      play_log;  // In memory, and beside it what is said of the root's show: play_log.h of the store.
   std::filesystem::path
       chosen{};                 // In memory: the number of the choice that counts; empty: none is followed.
   show::LoadOptions of_root{};  // How the root's own pack is opened.
+  // Whether a disk gives all of a file, before it is mapped; a test has another one.
+  std::function<Result<void>(const std::filesystem::path&)> read_through = ReadThrough;
 };
 
 // A show that was read, and where.
@@ -37,9 +42,11 @@ struct ChosenShow {
 };
 
 // Reads the first show of those to try that can be read, and notes that it plays; says in the log which were
-// passed over and why. A pack of `shows` must be signed by a key beside the root's pack (its folder's `keys`)
-// or of `keys`, and is always checked as a whole. Blocks for the disk. Errors: those of LoadPack for the
-// root's show.
+// passed over and why. The root's show, which is mapped and believed, is read from front to back first where it has ended
+// the stage twice: a block that its disk has spoilt is an error then, and no end by a signal for ever. Its copy plays then,
+// and the status picture says so; where there is none, a file beside the log asks for the box's other system. A pack of `shows` must be signed by a key beside the root's pack (its folder's `keys`)
+// or of `keys`, and is always checked as a whole. Blocks for the disk. Errors: those of LoadPack and
+// ReadThrough for the root's show.
 Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now);
 
 // The box's own roles, for a show that has only its own yet.

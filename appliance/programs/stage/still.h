@@ -38,6 +38,9 @@ struct StillFiles {
   std::filesystem::path looked{};
 };
 
+// The picture is read back from the graphics card on the loop's thread, which takes some milliseconds: it is asked for only
+// in the minutes of a trial, in which nobody plays.
+//
 // Writes `once`, and has the loop write the other. The studio must outlive the loop. Errors: those of WriteStill for
 // `once`, and of EventLoop::Every.
 Result<void> WriteStills(Studio& studio, const StillFiles& files, EventLoop& loop);

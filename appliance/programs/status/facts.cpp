@@ -43,8 +43,11 @@ Facts ReadFacts(const Places& places) {
               LinesOf(places.settings / "faults"),       ParseScreens(ReadFile(places.screens).value_or("")),
               LinesOf(places.notices / "power"),         LinesOf(places.shows)};
   facts.update = LinesOf(places.update);
-  for (auto* lines : {&facts.shows, &facts.update})
+  auto spoilt = LinesOf(places.spoilt), reset = LinesOf(places.reset);
+  for (auto* lines : {&spoilt, &reset, &facts.shows, &facts.update})
     std::erase_if(*lines, [](const std::string& line) { return !std::ranges::all_of(line, IsAscii); });
+  for (const auto* lines : {&spoilt, &reset})
+    facts.faults.insert(facts.faults.end(), lines->begin(), lines->end());
   std::error_code none;
   for (const char* profile : kProfiles)
     if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;

@@ -19,6 +19,10 @@ struct Places {
   std::filesystem::path update = "/run/kaori-update/notice";
   // What kaori-shows says while the service key is on.
   std::filesystem::path shows = "/run/kaori-shows/lines";
+  // What kaori-data says to whoever asks for a factory reset.
+  std::filesystem::path reset = "/run/kaori-reset/notice";
+  // What the stage says of a show of the root that its disk has spoilt.
+  std::filesystem::path spoilt = "/run/kaori/show-spoilt";
 };
 
 // Compared as a whole, to see whether anything has changed.

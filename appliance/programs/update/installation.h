@@ -84,6 +84,13 @@ class Installation {
   static constexpr std::size_t kPiece_bytes = std::size_t{1} << 20U;
 
  private:
+  // In this order, and none twice but the pair of writing and reading back, once for each part:
+  //   kHeader    signature, trust, product, versions and lengths; nothing else of the file is read before
+  //   kRead      all of the payload, for its checksum; still nothing was written
+  //   kBegin     what waited in the slot before is forgotten: from here on it is half written
+  //   kWrite     a part is unpacked into its place, and flushed at its end
+  //   kReadBack  the disk gives the part's checksum, or the update is refused
+  //   kNote      the note that it waits is the last thing that is written
   enum class Stage : std::uint8_t { kHeader, kRead, kBegin, kWrite, kReadBack, kNote, kEnded };
   // A part of the update and the place where it goes.
   struct Area {
@@ -120,6 +127,7 @@ class Installation {
   Stage stage_ = Stage::kHeader;
   Progress progress_;
   Manifest manifest_;
+  // How far the source was read:
   // Of the payload, in the first reading; of the part, afterwards.
   std::uint64_t read_bytes_ = 0;
   show::Checksummer sum_;

@@ -55,6 +55,8 @@ std::optional<std::size_t> PixelAt(const Ppm& picture, double right, double down
 }
 
 // Mean difference over the places that both have.
+// The places lie in a grid over the middle of the picture, which every screen shows; those that only one of the two has do
+// not count. In steps of 255; 255 where they have none in common.
 double Apart(const Ppm& one, const Ppm& other) {
   std::int64_t sum = 0, count = 0;
   for (int place = 0; place < kColumns * kRows; ++place) {
@@ -91,6 +93,7 @@ std::string PictureFault(std::string_view shown, const std::vector<std::string_v
   return fmt::format("the picture is not that of the face: {:.0f} of 255 apart", nearest);
 }
 
+// Units are told by their names; the order in which systemctl gives them does not matter. One that it left out is a fault.
 // systemctl leaves an empty line between units.
 std::string ProgramsFault(std::string_view shown, std::size_t units) {
   std::size_t seen = 0;

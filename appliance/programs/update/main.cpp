@@ -31,6 +31,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using kaori::loader::Claim;
 using kaori::update::Message;
 
 constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk's other slot
@@ -48,6 +49,7 @@ constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk
   --still FILE       a picture of the show's first face (/usr/share/kaori/still.ppm)
   --last-face FILE   the last face (/var/lib/kaori/own/last-face)
   --install FILE     instead: brings this file in, says how it went, and ends
+  --other FILE       instead: tries the disk's other system, once, for the reason in this file
 )";
 
 struct Settings {
@@ -55,7 +57,7 @@ struct Settings {
                       keys = "/usr/share/kaori/update-keys", slot = "/run/kaori-profile/slot", disk,
                       variables = kaori::loader::kVariables, said = "/run/kaori-update",
                       picture = "/run/kaori/look.ppm", still = "/usr/share/kaori/still.ppm",
-                      last_face = "/var/lib/kaori/own/last-face", install;
+                      last_face = "/var/lib/kaori/own/last-face", install, other;
   bool confirm = false;
 };
 
@@ -70,20 +72,22 @@ const std::vector<std::string> kPrograms{"kaori-stage.service", "kaori-input.ser
 
 // The node of a partition beside the root, or the file in its place. Errors: no_such_device.
 kaori::Result<std::unique_ptr<kaori::ports::BlockDevice>> OpenPartition(const Settings& settings,
-                                                                        const std::string& name) {
-  if (!settings.disk.empty()) return kaori::loader::OpenBlockFile(fs::path(settings.disk) / name);
+                                                                        const std::string& name,
+                                                                        kaori::loader::Claim claim) {
+  if (!settings.disk.empty()) return kaori::loader::OpenBlockFile(fs::path(settings.disk) / name, claim);
   const auto device = kaori::PartitionBesideRoot("/sys/class/block", name);
   if (!device)
     return kaori::Fail(std::errc::no_such_device, "find the partition " + name + " beside the root");
-  return kaori::loader::OpenBlockFile("/dev/" + *device);
+  return kaori::loader::OpenBlockFile("/dev/" + *device, claim);
 }
 
-// Of the slot that does not run.
+// Of the slot that does not run: what the running root is made of the kernel gives to nobody.
 kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::ports::Slot running) {
   const auto other = kaori::ports::Other(running);
   const std::string letter = other == kaori::ports::Slot::kA ? "a" : "b";
-  auto root = OpenPartition(settings, "root-" + letter), verity = OpenPartition(settings, "verity-" + letter),
-       boot = OpenPartition(settings, "boot");
+  auto root = OpenPartition(settings, "root-" + letter, Claim::kAlone),
+       verity = OpenPartition(settings, "verity-" + letter, Claim::kAlone),
+       boot = OpenPartition(settings, "boot", Claim::kShared);
   for (const auto* each : {&root, &verity, &boot})
     if (!*each) return tl::unexpected(each->error());
   const auto kernel = kaori::loader::FindKernel(**boot, other);
@@ -94,13 +98,15 @@ kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::por
 
 kaori::Result<std::unique_ptr<kaori::ports::BootChoice>> OpenChoice(const Settings& settings,
                                                                     kaori::ports::Slot running) {
-  return OpenPartition(settings, "boot")
+  return OpenPartition(settings, "boot", Claim::kShared)
       .map([&](auto partition) -> std::unique_ptr<kaori::ports::BootChoice> {
         return std::make_unique<kaori::loader::SystemdBoot>(std::move(partition), running,
                                                             settings.variables);
       });
 }
 
+// The service manager stops the programs in order, so that the last face is kept. Returns when it was told, and the machine
+// ends a moment later.
 void Restart() {
   const auto status = kaori::RunProgram({"/bin/systemctl", "reboot"});
   if (!status || *status != 0)
@@ -138,6 +144,8 @@ std::string PictureOf(const std::string& file) {
   return kaori::ReadFile(file, {.most_bytes = kMostPicture_bytes}).value_or("");
 }
 
+// The cheapest look comes first. Each gives one line, which becomes the reason where the system gives way: it is read by
+// whoever stands before the box, and by whoever made the update.
 // Looks at everything once. `seen` is when the picture of the look before was made: a stage that hangs makes no new one.
 std::string FaultNow(const Settings& settings, fs::file_time_type& seen) {
   std::vector<std::string> ask{"/bin/systemctl", "show", "--property=Id,ActiveState,NRestarts"};
@@ -174,6 +182,7 @@ void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict,
 // The stage makes pictures of what it shows as long as `wanted` is there.
 int LookOn(const Settings& settings, kaori::ports::BootChoice& choice, kaori::update::Notes& notes,
            std::uint32_t version) {
+  NoteStart(notes);
   const kaori::SteadyClock clock;
   kaori::update::Confirmation confirmation(clock.now());
   fs::file_time_type seen{};
@@ -200,6 +209,20 @@ int Confirm(const Settings& settings, const kaori::update::Running& running) {
   const auto found = AfterStart(**choice, *notes);
   if (found.message != Message::kNothingWaits) TellStatus(settings, found);
   return found.message == Message::kLooking ? LookOn(settings, **choice, *notes, found.version) : 0;
+}
+
+// The stage can read no show; the last picture stands meanwhile.
+int TryOtherSystem(const Settings& settings, const kaori::update::Running& running) {
+  const auto notes = kaori::update::OpenNotes(settings.notes);
+  auto choice = OpenChoice(settings, running.slot);
+  if (!choice) return kaori::ExitWithError(choice.error());
+  const std::string reason = kaori::ReadFile(settings.other).value_or("");
+  kaori::LogError("no show can be played, and the disk's other system is tried: {}",
+                  reason.substr(0, reason.find('\n')));
+  const auto begun = TryOther(**choice, *notes);
+  TellStatus(settings, begun);
+  if (begun.message == Message::kRestarts) Restart();
+  return 0;
 }
 
 // For a laptop's test, and for whoever has the disk in another computer.
@@ -261,11 +284,13 @@ int main(int argc, char** argv) {
       .Text("--picture", settings.picture)
       .Text("--still", settings.still)
       .Text("--last-face", settings.last_face)
-      .Text("--install", settings.install);
+      .Text("--install", settings.install)
+      .Text("--other", settings.other);
   if (const auto status = options.Parse(argc, argv)) return *status;
   const auto running = kaori::update::ReadRunning(settings.version, settings.slot);
   if (!running) return kaori::ExitWithError(running.error());
   if (settings.confirm) return Confirm(settings, *running);
+  if (!settings.other.empty()) return TryOtherSystem(settings, *running);
   if (!settings.install.empty()) return Install(settings, *running);
   return Serve(settings, *running);
 }

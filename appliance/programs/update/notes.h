@@ -1,4 +1,6 @@
-// What a box keeps of an update between its starts, in the folder `update` of the data partition:
+// What a box keeps of an update between its starts.
+//
+// In the folder `update` of the data partition lie
 //   pending   the update that lies in the other slot and waits to be tried, or is being tried
 //   last-try  what became of the last try, and the end of its log
 #pragma once

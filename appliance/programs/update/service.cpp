@@ -67,6 +67,7 @@ void UpdateService::Look(UniqueFd file) {
 // Nothing is written while the running system is tried itself: the other slot is the one that it falls back to.
 void UpdateService::Begin(UniqueFd file) {
   installation_.reset();
+  disk_.reset();
   auto source = SourceOf(std::move(file));
   if (!source) return Say({MessageOf(source.error()), 0, 0, source.error().message()});
   const auto choice = box_.open_choice();

@@ -1,4 +1,4 @@
-// kaori-update's answers to kaori-shows (appliance/core/update/caller.h): one request at a time.
+// The answers of kaori-update to kaori-shows (appliance/core/update/caller.h), one request at a time.
 #pragma once
 
 #include <functional>
@@ -47,6 +47,8 @@ class UpdateService {
   static constexpr Duration kPatience = std::chrono::seconds(10);
 
  private:
+  // A step is one look at the socket and one piece of the work. Nothing of a request is kept once its client is gone: whoever
+  // turned the key back, or pulled the stick and left, has ended it.
   // Whoever called comes first; another one waits until the first has gone.
   void Hear();
   void Handle(std::string_view request, UniqueFd file);

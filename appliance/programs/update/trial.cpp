@@ -9,6 +9,8 @@ namespace {
 // Said where the tried system kept nothing: the kernel stopped, or the firmware started another system than it was told.
 constexpr std::string_view kWithoutAWord =
     "it never came so far as to say why, or this PC forgets what it is to try";
+constexpr std::string_view kStarted =
+    "it started, and then the power went or it hung before its face was kept";
 
 std::string FirstLine(const std::string& text) {
   return text.substr(0, text.find('\n'));
@@ -28,9 +30,24 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes) {
   auto kept = notes.KeepLastTry("");
   if (kept) kept = notes.KeepPending(tried);
   if (!kept) return {Message::kDiskFault, pending->version, kept.error().message()};
-  if (auto ok = choice.TryOnce(pending->slot); !ok)
+  if (auto ok = choice.TryOnce(pending->slot); !ok) {
+    static_cast<void>(notes.KeepPending(*pending));  // Where that fails too a try is lost.
     return {Message::kForgets, pending->version, ok.error().message()};
+  }
   return {Message::kRestarts, pending->version};
+}
+
+// Without a note one is made, of no version: it is known that the other slot was written once, and not what is in it. A
+// half-written one does not start, and the next start is this system again.
+Outcome TryOther(ports::BootChoice& choice, Notes& notes) {
+  const auto pending = notes.ReadPending();
+  if (pending && pending->tries > 0) return {Message::kTriedOften, pending->version};
+  if (!pending)
+    if (auto ok = notes.KeepPending({0, ports::Other(choice.running()), 0}); !ok)
+      return {Message::kDiskFault, 0, ok.error().message()};
+  const Outcome begun = BeginTry(choice, notes);
+  if (!pending && begun.message != Message::kRestarts) static_cast<void>(notes.ForgetPending());
+  return begun;
 }
 
 // A slot that is the default is confirmed, whatever its note says.
@@ -50,6 +67,10 @@ Outcome AfterStart(ports::BootChoice& choice, Notes& notes) {
           said.empty() ? std::string(kWithoutAWord) : said};
 }
 
+void NoteStart(Notes& notes) {
+  static_cast<void>(notes.KeepLastTry(kStarted));
+}
+
 Confirmation::Verdict Confirmation::Observe(const std::string& fault, Time now) {
   if (verdict_ != Verdict::kLooking) return verdict_;
   if (!fault.empty()) {
@@ -67,7 +88,8 @@ Confirmation::Verdict Confirmation::Observe(const std::string& fault, Time now) 
 
 Result<void> ConfirmTried(ports::BootChoice& choice, Notes& notes) {
   if (auto ok = choice.Confirm(choice.running()); !ok) return ok;
-  return notes.ForgetPending();
+  if (auto ok = notes.ForgetPending(); !ok) return ok;
+  return notes.KeepLastTry("");
 }
 
 // One line for the reason, since the screen shows the first one.

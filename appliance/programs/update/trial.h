@@ -13,6 +13,11 @@ namespace kaori::update {
 
 inline constexpr std::uint32_t kMostTries = 3;
 
+// A trial goes so. A person restarts the box: the try is counted, the firmware is told to start the other slot once
+// (BeginTry). That slot notes that it has started (NoteStart) and looks at itself (Confirmation). Either it becomes the one
+// that starts by itself (ConfirmTried), or it keeps why not (GiveWay) and the machine starts again, which is the slot before:
+// that one finds the reason and says it (AfterStart). Whatever is cut off on the way, the slot before starts by itself.
+
 // What is to be said, of which version, and why.
 struct Outcome {
   Message message = Message::kNothingWaits;
@@ -21,8 +26,12 @@ struct Outcome {
 };
 
 // Has the next start try what waits: kRestarts, and the machine is to be restarted then. The try is counted
-// before it is made, so that a PC without its variable or a cut in between never tries without end.
+// before it is made, so that a cut in between never tries without end; one that the firmware refuses does not count.
 Outcome BeginTry(ports::BootChoice& choice, Notes& notes);
+
+// The running system can play no show: the disk's other one is tried once, as an update would be, and stays where its face
+// is seen. What is answered is as of BeginTry; kTriedOften where it was tried before, by whomever.
+Outcome TryOther(ports::BootChoice& choice, Notes& notes);
 
 // What a start finds, before anything is looked at:
 //   kLooking   this system is being tried
@@ -31,6 +40,10 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes);
 //   kNothingWaits   and where what waited is what runs by itself, its note is removed: the power went after it was
 //              confirmed
 Outcome AfterStart(ports::BootChoice& choice, Notes& notes);
+
+// The tried system has come so far: kept as its reason until there is a better one, so that a cut or a hang in its trial is
+// told from a system that never started. What cannot be kept is missing there.
+void NoteStart(Notes& notes);
 
 // Looks for 180 s whether all has been well for 60 s on end. Pure; one thread.
 class Confirmation {
@@ -53,8 +66,8 @@ class Confirmation {
   Verdict verdict_ = Verdict::kLooking;
 };
 
-// Makes the tried system the one that starts by itself, and only then forgets that it waited. Errors: those of
-// Confirm; what waits is tried again then.
+// Makes the tried system the one that starts by itself, and only then forgets that it waited and how the try went.
+// Errors: those of Confirm; what waits is tried again then.
 Result<void> ConfirmTried(ports::BootChoice& choice, Notes& notes);
 
 // Keeps why the tried system gives way, with the end of its log, for the one that starts next.

@@ -77,6 +77,30 @@ TEST_F(PlayLogTest, AShowThatEndsTheStageThreeTimesInAMinuteGivesWayToTheOneBefo
   for (int i = 0; i < 5; ++i) EXPECT_EQ(PlayAndCrash(2s), kRoot) << "there is no other one";
 }
 
+TEST_F(PlayLogTest, TheRootsShowIsFollowedByItsCopyAlone) {
+  EXPECT_THAT(ToTry(log_, {}), ElementsAre(kRoot, std::string(kCopiedShow)));
+  EXPECT_EQ(PackOf(kCopiedShow, "/shows", "/root.kaori"), "/shows/root.copy");
+}
+
+TEST_F(PlayLogTest, AShowThatHasEndedTheStageTwiceIsDoubted) {
+  const auto is_doubted = [this] { return IsDoubted(Started(log_, choice_, now_), kA, now_); };
+  PlayAndCrash(2s);
+  EXPECT_FALSE(is_doubted());
+  PlayAndCrash(2s);
+  EXPECT_TRUE(is_doubted());
+  PlayAndCrash(10min);
+  PlayAndCrash(61s);
+  EXPECT_FALSE(is_doubted()) << "it has been seen for long";
+}
+
+TEST_F(PlayLogTest, AShowThatEndsTwiceBeforeItIsSeenIsDoubtedHoweverLongThatTakes) {
+  for (int i = 0; i < 2; ++i) {
+    PlayAndCrash(125s);
+    log_.settled = false;
+  }
+  EXPECT_TRUE(IsDoubted(Started(log_, choice_, now_), kA, now_));
+}
+
 TEST_F(PlayLogTest, AShowThatEndsTheStageSeldomGoesOn) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(PlayAndCrash(61s), kA) << i;
 }
@@ -119,6 +143,8 @@ TEST_F(PlayLogTest, ComesBackFromItsTextAndIsEmptyWhereThatIsUnsound) {
   for (int i = 0; i < 5; ++i) PlayAndCrash(2s);
   log_.settled = true;
   EXPECT_GT(log_.unsettled, 0);
+  EXPECT_EQ(ParsePlayLog(Format(log_)), log_);
+  log_.playing = log_.last = kCopiedShow;
   EXPECT_EQ(ParsePlayLog(Format(log_)), log_);
   EXPECT_EQ(ParsePlayLog(Format(log_) + "gave_way ../x\n"), PlayLog());
   EXPECT_EQ(ParsePlayLog("nonsense"), PlayLog());

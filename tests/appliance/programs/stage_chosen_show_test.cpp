@@ -43,11 +43,11 @@ class ChosenShowTest : public tests::PackTest {
   }
 
   const show::SecretKey company_ = show::MakeKey().value(), foreign_ = show::MakeKey().value();
-  const ShowPlaces places_{.root_pack = folder_ / "root/kaori.kaori",
-                           .shows = folder_ / "shows",
-                           .keys = folder_ / "settings/keys",
-                           .play_log = folder_ / "plays",
-                           .chosen = folder_ / "chosen"};
+  ShowPlaces places_{.root_pack = folder_ / "root/kaori.kaori",
+                     .shows = folder_ / "shows",
+                     .keys = folder_ / "settings/keys",
+                     .play_log = folder_ / "plays",
+                     .chosen = folder_ / "chosen"};
   Time now_ = Time{} + 1000s;
   bool another_ = false;
 };
@@ -125,6 +125,75 @@ TEST_F(ChosenShowTest, ThatHasBeenSeenForAMinuteIsNotToBlameForALaterEnd) {
     EXPECT_FALSE(watch.IsOver(now_ + 59s));
     EXPECT_FALSE(watch.IsOver(now_ + 60s));
   }
+}
+
+// A file as a verified disk gives it of which a block is spoilt: mapped it would end the stage by a signal.
+class SpoiltRootTest : public ChosenShowTest {
+ protected:
+  SpoiltRootTest() {
+    places_.read_through = [this](const fs::path& file) -> Result<void> {
+      ++readings_;
+      if (file == places_.root_pack && is_spoilt_) return Fail(std::errc::io_error, "read " + file.string());
+      return {};
+    };
+  }
+  std::string Beside(const char* name) const { return ReadFile(folder_ / name).value_or(""); }
+
+  bool is_spoilt_ = true;
+  int readings_ = 0;
+};
+
+TEST_F(SpoiltRootTest, GivesWayToItsCopyAfterTwoEndsAndSaysSo) {
+  Put(folder_ / "shows" / store::kCopyName, "the copy", nullptr);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(Played(), "of the root");
+  EXPECT_EQ(readings_, 0) << "no start waits for it without a reason";
+  EXPECT_EQ(Beside(store::kSpoiltFile), "");
+  EXPECT_EQ(Played(), "the copy");
+  EXPECT_THAT(Beside(store::kSpoiltFile), ::testing::HasSubstr("its copy plays"));
+  EXPECT_THAT(Beside(store::kSpoiltFile), ::testing::HasSubstr("控えで上演中"));
+  EXPECT_EQ(Played(), "the copy") << "the stage was ended once more";
+  EXPECT_EQ(Beside(store::kNoShowFile), "");
+}
+
+TEST_F(SpoiltRootTest, WithoutACopyAsksForTheOtherSystem) {
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(Played(), "of the root");
+  EXPECT_THAT(Played(), ::testing::HasSubstr("kaori.kaori"));
+  EXPECT_THAT(Beside(store::kNoShowFile), ::testing::HasSubstr("kaori.kaori"));
+  is_spoilt_ = false;
+  EXPECT_EQ(Played(), "of the root");
+  EXPECT_EQ(Beside(store::kNoShowFile), "");
+}
+
+TEST_F(SpoiltRootTest, WithASpoiltCopyAsksForTheOtherSystem) {
+  Put(folder_ / "shows" / store::kCopyName, "the copy", nullptr);
+  fs::resize_file(folder_ / "shows" / store::kCopyName, 5000);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(Played(), "of the root");
+  EXPECT_THAT(Played(), ::testing::HasSubstr("root.copy"));
+  EXPECT_THAT(Beside(store::kNoShowFile), ::testing::HasSubstr("root.copy"));
+}
+
+TEST_F(SpoiltRootTest, ThatReadsWellPlaysOn) {
+  is_spoilt_ = false;
+  Put(folder_ / "shows" / store::kCopyName, "the copy", nullptr);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(Played(), "of the root");
+  EXPECT_EQ(readings_, 4);
+}
+
+// A show of a stick is checked as a whole at each start.
+TEST_F(SpoiltRootTest, IsNoReasonToLeaveAChosenShow) {
+  PutShow('a', "evening", &company_);
+  Choose(1, 'a', 'a');
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Played(), "evening");
+  EXPECT_EQ(Played(), "of the root");
+}
+
+TEST_F(SpoiltRootTest, IsCopiedOnceItWasSeenForAMinute) {
+  EXPECT_EQ(Played(), "of the root");
+  ShowWatch watch(places_, 0, now_);
+  EXPECT_FALSE(watch.IsOver(now_ + 59s));
+  EXPECT_FALSE(fs::exists(folder_ / store::kSettledFile));
+  EXPECT_FALSE(watch.IsOver(now_ + 60s));
+  EXPECT_TRUE(fs::exists(folder_ / store::kSettledFile));
 }
 
 TEST_F(ChosenShowTest, IsOverOnceAnotherOneIsChosen) {

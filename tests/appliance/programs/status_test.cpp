@@ -123,27 +123,6 @@ TEST_F(StatusWords, TheTitleSaysProfileAndRoot) {
                                        HasSubstr("hash bbbbbbbbbbbb, slot B.")));
 }
 
-TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
-  const board::BoardFile place;
-  const Places places{place.folder(), place.folder() / "screens"};
-  EXPECT_EQ(ReadFacts(places), Facts());
-  for (const auto& [file, text] : {std::pair{"kiosk", ""},
-                                   {"root_hash", "abc"},
-                                   {"slot", "B"},
-                                   {"status_screen", "HDMI-A-2"},
-                                   {"monitor_screen", "3"},
-                                   {"faults", "one\n\ntwo\n"},
-                                   {"screens", "HDMI-A-1 640x480 60 wanted picture\n"}})
-    std::ofstream(place.folder() / file) << text;
-  const Facts facts = ReadFacts(places);
-  EXPECT_EQ(facts.profile, "kiosk");
-  EXPECT_EQ(facts.root_hash + facts.slot, "abcB");
-  EXPECT_EQ(facts.screen, "HDMI-A-2");
-  EXPECT_EQ(facts.monitor, "3");
-  EXPECT_EQ(facts.faults, (std::vector<std::string>{"one", "two"}));
-  EXPECT_EQ(facts.screens.size(), 1U);
-}
-
 ports::Output MadeOutput(ports::ModeOrigin origin, ports::OutputState state) {
   return {.connector = "DP-1",
           .width_px = 1280,

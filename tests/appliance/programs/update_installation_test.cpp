@@ -73,6 +73,7 @@ TEST_F(UpdateInstallation, RefusesWhatDoesNotFitIntoTheSlot) {
 TEST_F(UpdateInstallation, OfOneFlippedBitAnywhereWritesNothing) {
   constexpr int kTried = 200;
   const Bytes bundle = BundleOf(6);
+  RecordProperty("altered", kTried);
   for (int n = 0; n < kTried; ++n) {
     Bytes altered = bundle;
     const std::size_t in_header = static_cast<std::size_t>(n) * kHeader_bytes / kTried;
@@ -80,6 +81,19 @@ TEST_F(UpdateInstallation, OfOneFlippedBitAnywhereWritesNothing) {
         kHeader_bytes + static_cast<std::size_t>(n) * (bundle.size() - kHeader_bytes) / kTried;
     altered[n % 2 == 0 ? in_header : in_payload] ^= static_cast<std::uint8_t>(1U << (n % 8));
     EXPECT_TRUE(IsRefusal(Install(altered).message)) << n;
+    ASSERT_TRUE(disk_.events().empty()) << n;
+  }
+}
+
+// Half of them in the header, which is small and signed, half in what follows.
+TEST_F(UpdateInstallation, ThatIsCutOffAnywhereWritesNothing) {
+  constexpr int kTried = 200;
+  const Bytes bundle = BundleOf(6);
+  RecordProperty("altered", kTried);
+  for (std::size_t n = 0; n < kTried; ++n) {
+    Bytes cut = bundle;
+    cut.resize(n % 2 == 0 ? n * kHeader_bytes / kTried : n * bundle.size() / kTried);
+    EXPECT_TRUE(IsRefusal(Install(cut).message)) << n;
     ASSERT_TRUE(disk_.events().empty()) << n;
   }
 }

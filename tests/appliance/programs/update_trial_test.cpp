@@ -30,8 +30,10 @@ TEST_F(UpdateTrial, StartsTheOtherSlotOnceAndKeepsItWhenItDoesWell) {
   EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kRestarts);
   EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
   EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kLooking);
+  NoteStart(notes_);
   ASSERT_TRUE(ConfirmTried(choice_, notes_));
   EXPECT_EQ(notes_.pending, std::nullopt);
+  EXPECT_EQ(notes_.last_try, "");
   EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
   EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kNothingWaits);
 }
@@ -57,6 +59,14 @@ TEST_F(UpdateTrial, ThatDiesWithoutAWordIsToldOfAsWell) {
   EXPECT_THAT(found.detail, HasSubstr("never came so far"));
 }
 
+TEST_F(UpdateTrial, ThatIsCutOffIsToldFromOneThatNeverStarted) {
+  BeginTry(choice_, notes_);
+  choice_.SwitchOn();
+  NoteStart(notes_);
+  choice_.SwitchOn();
+  EXPECT_THAT(AfterStart(choice_, notes_).detail, HasSubstr("it started, and then the power went"));
+}
+
 TEST_F(UpdateTrial, IsMadeThreeTimesAtMost) {
   for (std::uint32_t n = 0; n < kMostTries; ++n) {
     EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kRestarts);
@@ -70,8 +80,10 @@ TEST_F(UpdateTrial, IsMadeThreeTimesAtMost) {
 
 TEST_F(UpdateTrial, IsRefusedOnAPcThatForgets) {
   choice_.ForgetVariables();
-  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kForgets);
+  for (std::uint32_t n = 0; n <= kMostTries; ++n)
+    EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kForgets) << "what was not tried does not count";
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kWaits);
 }
 
 TEST_F(UpdateTrial, IsNotBegunFromATrialNorWithoutAnUpdateNorWithoutANote) {
@@ -85,6 +97,33 @@ TEST_F(UpdateTrial, IsNotBegunFromATrialNorWithoutAnUpdateNorWithoutANote) {
   notes_.fault.reset();
   notes_.pending.reset();
   EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kNothingWaits);
+}
+
+// A system that can play no show.
+TEST_F(UpdateTrial, OfTheOtherSystemIsMadeOnceAndStaysWhereItsFaceIsSeen) {
+  notes_.pending.reset();
+  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kRestarts);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
+  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kTriedOften) << "which cannot play either";
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kLooking);
+  ASSERT_TRUE(ConfirmTried(choice_, notes_));
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
+}
+
+TEST_F(UpdateTrial, OfTheOtherSystemThatIsNoneComesBackAndIsNotRepeated) {
+  notes_.pending.reset();
+  TryOther(choice_, notes_);
+  choice_.SwitchOn();
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
+  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kTriedOften);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
+}
+
+TEST_F(UpdateTrial, OfTheOtherSystemIsNotMadeOnAPcThatForgets) {
+  notes_.pending.reset();
+  choice_.ForgetVariables();
+  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kForgets);
+  EXPECT_EQ(notes_.pending, std::nullopt);
 }
 
 // Between loader.conf and the note.

@@ -1,0 +1,95 @@
+#include "appliance/programs/shows/copy.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "drivers/base/log.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
+
+namespace kaori::shows {
+namespace {
+
+// No reader of the folder takes it for a show. The next copy replaces one that was cut off.
+constexpr const char* kUnfinished = "root.copying";
+
+// Content by content, so that what goes to the disk is what the header's checksum was made of.
+Result<void> CopyContent(Source& root, const show::PackSeal& seal, Draft& draft) {
+  show::Checksummer sum;
+  std::vector<std::uint8_t> piece(Installation::kPiece_bytes);
+  for (std::uint64_t left = seal.content_bytes; left > 0;) {
+    const auto wanted =
+        std::span(piece).first(static_cast<std::size_t>(std::min<std::uint64_t>(left, piece.size())));
+    const auto got = root.Read(wanted);
+    if (!got) return tl::unexpected(got.error());
+    if (*got < wanted.size()) return FailInput("the box's own show became shorter while it was read");
+    sum.Add(wanted);
+    if (auto ok = draft.Append(wanted); !ok) return ok;
+    left -= wanted.size();
+  }
+  if (sum.Finish() != seal.checksum)
+    return FailInput("the box's own show is damaged: its checksum does not fit");
+  return draft.Finish();
+}
+
+// An old copy goes first where both have no room.
+Result<bool> HasRoom(Folder& folder, std::uint64_t bytes) {
+  const auto free = folder.FreeBytes();
+  if (!free) return tl::unexpected(free.error());
+  const std::uint64_t wanted = bytes + Installation::kReserve_bytes,
+                      old_bytes = folder.BytesOf(store::kCopyName);
+  if (*free >= wanted) return true;
+  if (old_bytes == 0 || *free + old_bytes < wanted) return false;
+  if (auto ok = folder.Remove(store::kCopyName); !ok) return tl::unexpected(ok.error());
+  if (auto ok = folder.KeepNames(); !ok) return tl::unexpected(ok.error());
+  return folder.FreeBytes().map([&](std::uint64_t now) { return now >= wanted; });
+}
+
+// The content is on the disk before it has the copy's name.
+Result<void> WriteCopy(Folder& folder, Source& root, const show::PackHeader& header,
+                       const show::PackSeal& seal) {
+  auto draft = folder.Begin(kUnfinished);
+  if (!draft) return tl::unexpected(draft.error());
+  if (auto ok = (*draft)->Append(header); !ok) return ok;
+  if (auto ok = CopyContent(root, seal, **draft); !ok) return ok;
+  draft->reset();
+  if (auto ok = folder.Rename(kUnfinished, store::kCopyName); !ok) return ok;
+  return folder.KeepNames();
+}
+
+}  // namespace
+
+// A copy that was cut off takes the room of the next one.
+Result<Copied> KeepCopy(Folder& folder, Source& root, std::span<const std::uint8_t> there) {
+  show::PackHeader header{};
+  const auto got = root.Read(header);
+  if (!got) return tl::unexpected(got.error());
+  const auto seal = show::ReadHeader(std::span(header).first(*got), root.bytes());
+  if (!seal) return tl::unexpected(seal.error());
+  if (std::ranges::equal(header, there) && folder.BytesOf(store::kCopyName) == root.bytes())
+    return Copied::kIsThere;
+  if (auto ok = folder.Remove(kUnfinished); !ok) return tl::unexpected(ok.error());
+  const auto has_room = HasRoom(folder, root.bytes());
+  if (!has_room) return tl::unexpected(has_room.error());
+  if (!*has_room) return Copied::kNoRoom;
+  const auto written = WriteCopy(folder, root, header, *seal);
+  if (written) return Copied::kMade;
+  static_cast<void>(folder.Remove(kUnfinished));
+  return tl::unexpected(written.error());
+}
+
+Result<void> KeepCopyOf(const std::filesystem::path& root_pack, const std::filesystem::path& shows) {
+  const auto folder = OpenFolder(shows);
+  auto root = OpenSource(root_pack);
+  if (!root) return tl::unexpected(root.error());
+  const auto there = ReadBeginning(shows / store::kCopyName, show::kPackHeader_bytes);
+  const auto kept = KeepCopy(*folder, **root, AsBytes(there.value_or("")));
+  if (!kept) return tl::unexpected(kept.error());
+  if (*kept == Copied::kMade) Log("a copy of the box's own show is kept");
+  if (*kept == Copied::kNoRoom)
+    LogWarning("there is no room for a copy of the box's own show, which would play if its disk were spoilt");
+  return {};
+}
+
+}  // namespace kaori::shows

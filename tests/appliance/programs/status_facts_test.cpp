@@ -1,0 +1,43 @@
+// What the status picture is told of a box, by files in memory.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "appliance/programs/status/facts.h"
+#include "tests/appliance/core/board_file.h"
+
+namespace kaori::status {
+namespace {
+
+TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
+  const board::BoardFile place;
+  Places places{place.folder(), place.folder() / "screens"};
+  places.update = place.folder() / "notice";
+  places.spoilt = place.folder() / "spoilt";
+  EXPECT_EQ(ReadFacts(places), Facts());
+  for (const auto& [file, text] : {std::pair{"kiosk", ""},
+                                   {"root_hash", "abc"},
+                                   {"slot", "B"},
+                                   {"status_screen", "HDMI-A-2"},
+                                   {"monitor_screen", "3"},
+                                   {"faults", "one\n\ntwo\n"},
+                                   {"notice", "it is tried\n試しています\n"},
+                                   {"spoilt", "its copy plays\n控えで上演中\n"},
+                                   {"screens", "HDMI-A-1 640x480 60 wanted picture\n"}})
+    std::ofstream(place.folder() / file) << text;
+  const Facts facts = ReadFacts(places);
+  EXPECT_EQ(facts.profile, "kiosk");
+  EXPECT_EQ(facts.root_hash + facts.slot, "abcB");
+  EXPECT_EQ(facts.screen, "HDMI-A-2");
+  EXPECT_EQ(facts.monitor, "3");
+  EXPECT_EQ(facts.faults, (std::vector<std::string>{"one", "two", "its copy plays"}))
+      << "the font has no Japanese letters";
+  EXPECT_EQ(facts.update, (std::vector<std::string>{"it is tried"}));
+  EXPECT_EQ(facts.screens.size(), 1U);
+}
+
+}  // namespace
+}  // namespace kaori::status
