@@ -135,6 +135,7 @@ test('the operators\u2019 monitor is on the page when somebody wants it, and goe
     return seen && seen.width === 1280 && seen.colours > 100 && seen;
   });
   await until('its clock goes', async () => (await look()).clock !== first.clock);
+  if (process.env.KAORI_PICTURES) await new Promise((done) => setTimeout(done, 20000));  // Until all cells are drawn.
   if (process.env.KAORI_PICTURES) await panel.screenshot({path: join(process.env.KAORI_PICTURES, 'controls-monitor.png')});
   await panel.getByRole('button', {name: 'Hide'}).click();
   await until('it is drawn no more', () => !existsSync(box.file('links/monitor.picture')));
