@@ -31,7 +31,7 @@ bool MakesSense(const wire::ScreenHello& hello) {
 Result<std::unique_ptr<ports::Scanout>> LocalScreen::Open(const std::string& folder,
                                                           const std::string& port) {
   auto socket = ConnectToPeer(folder + "/screen." + port);
-  if (socket) return std::make_unique<LocalScreen>(std::move(*socket));
+  if (socket) return std::make_unique<LocalScreen>(std::move(*socket), folder);
   const bool denied = socket.error().cause == std::errc::permission_denied;
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
 }
@@ -112,6 +112,12 @@ Result<ports::Flip> LocalScreen::ReadFlip() {
   presented_.reset();
   next_slot_ = (next_slot_ + 1) % hello_.slots;
   return ports::Flip{Time(Duration(flip->at_ns)), flip->frame, Duration(hello_.period_ns)};
+}
+
+ports::SideDisplay* LocalScreen::monitor_display() {
+  if (monitor_ && !monitor_->IsThere()) monitor_.reset();
+  if (!monitor_ && !folder_.empty()) monitor_ = LocalMonitor::Open(folder_);
+  return monitor_.get();
 }
 
 std::vector<ports::Output> LocalScreen::outputs() const {

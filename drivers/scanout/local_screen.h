@@ -9,6 +9,7 @@
 #include "drivers/base/shared_memory.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/ports/scanout.h"
+#include "drivers/scanout/local_monitor.h"
 #include "firmware/wire/link_packets.h"
 
 namespace kaori::scanout {
@@ -23,13 +24,17 @@ class LocalScreen final : public ports::Scanout {
   static Result<std::unique_ptr<ports::Scanout>> Open(const std::string& folder,
                                                       const std::string& port = "screen");
 
-  // Owns the connected socket; the hello is read by the first call that needs it.
-  explicit LocalScreen(UniqueFd socket) : socket_(std::move(socket)) {}
+  // Owns the connected socket; the hello is read by the first call that needs it. In `folder` the operators'
+  // monitor is looked for; empty: there is none.
+  explicit LocalScreen(UniqueFd socket, std::string folder = "")
+      : socket_(std::move(socket)), folder_(std::move(folder)) {}
 
   int pollable() const override { return socket_.get(); }
   Result<ports::PixelBuffer> Acquire() override;
   Result<void> Present(std::uint64_t frame) override;
   Result<ports::Flip> ReadFlip() override;
+  // Null while nobody shows one; looked for at each call.
+  ports::SideDisplay* monitor_display() override;
   // One output named "simulator", once the screen has answered and as long as it is there.
   std::vector<ports::Output> outputs() const override;
 
@@ -42,6 +47,8 @@ class LocalScreen final : public ports::Scanout {
   std::size_t picture_bytes() const { return std::size_t{hello_.width_px} * hello_.height_px * 4; }
 
   UniqueFd socket_;
+  std::string folder_;
+  std::unique_ptr<LocalMonitor> monitor_;
   // Zeroes until the screen has answered.
   wire::ScreenHello hello_;
   // All slots, one behind another.

@@ -1,7 +1,8 @@
 // The local link: how the simulator's devices on this machine talk to the drivers.
 //
 // A link folder holds one Unix socket (SOCK_SEQPACKET) for each device, named by its kind and its port:
-// "hid.<port>", "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>", "lines.<port>".
+// "hid.<port>", "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>", "lines.<port>"; beside
+// them the operators' monitor, which is a file (link_monitor.h).
 // The device listens and the driver connects; to unplug the device closes and unlinks. A newer connection of
 // a driver replaces an older one. The device greets first, with a hello whose first word names the kind.
 // Pixels lie in shared memory, whose descriptor comes beside the hello. All numbers are little-endian; a time

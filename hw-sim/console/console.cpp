@@ -24,6 +24,7 @@ namespace {
 constexpr Duration kTick = std::chrono::microseconds(8'333);
 // 20 states a second: finer than a person reads, and coarser than the dials' own lamps need.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(50);
+constexpr Duration kMonitorPeriod = std::chrono::milliseconds(100);
 // Silence is broken this often: listeners that went away are noticed only when something is sent.
 constexpr Duration kSignOfLife = std::chrono::seconds(1);
 
@@ -88,6 +89,7 @@ void Console::Tick() {
                         .screen_plugged = rig_.plugged("screen")});
   shown_.See(rig_.screen().frames_shown(), now);
   ShowPicture(now);
+  ShowMonitor(now);
   PassSoundOn();
   TellState(now);
   // MHD sends what was just published, and closes connections that are too slow.
@@ -107,6 +109,24 @@ void Console::ShowPicture(Time now) {
   picture_at_ = now;
   sent_frame_ = rig_.screen().frames_shown();
   pictures_.PublishPicture(*jpeg);
+}
+
+// A page that is loaded anew asks again within the second. The monitor's clock moves each second, so that listeners
+// that went away are noticed.
+void Console::ShowMonitor(Time now) {
+  sim::MonitorScreen& monitor = rig_.monitor();
+  if (monitor_pictures_.listeners() > 0) watched_at_ = now;
+  if (now - watched_at_ >= kSignOfLife) return monitor.Unplug();
+  if (auto plugged = monitor.Plug(); !plugged) return;
+  if (!monitor_pictures_.awaited() || now - monitor_at_ < kMonitorPeriod) return;
+  const auto* const rgbx = monitor.Read();
+  if (rgbx == nullptr) return;
+  const auto jpeg =
+      jpeg_.Encode({static_cast<int>(monitor.kWidth_px), static_cast<int>(monitor.kHeight_px), *rgbx},
+                   options_.jpeg_quality);
+  if (!jpeg) return;
+  monitor_at_ = now;
+  monitor_pictures_.PublishPicture(*jpeg);
 }
 
 // What nobody listens to is forgotten: a page that asks for sound hears what is played from then on.
@@ -149,6 +169,7 @@ web::HttpServer::Answer Console::Answer(const Request& request) {
   }
   if (request.method != "GET" && request.method != "HEAD") return Reply{405, kText, "GET and POST only\n"};
   if (request.path == "/picture") return &pictures_;
+  if (request.path == "/monitor") return &monitor_pictures_;
   if (request.path == "/events") return &states_;
   if (request.path == "/frame.jpg") return OnePicture();
   if (request.path == "/sound") return &sounds_;

@@ -66,6 +66,8 @@ class Console {
   void Tick();
   // Sends the newest picture where a page has room for it and its time has come.
   void ShowPicture(Time now);
+  // Shows the operators' monitor while a page looks at it, and has it drawn no longer than that.
+  void ShowMonitor(Time now);
   // Sends what the loudspeaker has played since the last tick.
   void PassSoundOn();
   // Sends the state where it differs from the last one, or a second has passed.
@@ -105,7 +107,9 @@ class Console {
   // The state that was sent last: an equal one is not sent again, but for the sign of life.
   std::string state_;
   Time state_at_{};
-  web::PictureFeed pictures_;
+  web::PictureFeed pictures_, monitor_pictures_;
+  Time monitor_at_{};  // When its last picture was sent,
+  Time watched_at_{};  // and when a page last looked.
   web::Feed states_;
   web::Feed sounds_;
   SoundPackets packets_;

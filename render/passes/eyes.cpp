@@ -9,6 +9,7 @@
 
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
+#include "render/passes/lid_heights.h"
 #include "render/scene/view.h"
 
 namespace kaori::passes {
@@ -18,11 +19,6 @@ namespace {
 constexpr int kRings = 8;
 constexpr int kSpokes = 24;
 constexpr float kOpening_rad = 1.40F;
-
-// As eye_lids.glsl.
-constexpr std::size_t kLidPlaces = 9;
-// In radii.
-constexpr float kLidReach = 1.2F;
 
 // Unit directions of a cap about +Z: ring 0 is its middle, kSpokes times over.
 std::vector<glm::vec3> CapDirections() {
@@ -52,59 +48,6 @@ std::vector<std::uint32_t> CapTriangles() {
   return indices;
 }
 
-// One lid's margin, seen from the ball's centre in radii, in order of x.
-class LidEdge {
- public:
-  LidEdge(const face::Shape& shape, const face::LidRig& rig, std::span<const face::Index> rings,
-          const face::EyeBall& ball)
-      : ball_(ball) {
-    columns_ = std::min<std::size_t>(static_cast<std::size_t>(rig.columns), kMost);
-    const auto* margin = rings.data() + static_cast<std::size_t>(rig.margin_ring * rig.columns);
-    for (std::size_t j = 0; j < columns_; ++j) edge_[j] = shape.cage[margin[j]];
-    if (columns_ > 1 && edge_[0].x > edge_[columns_ - 1].x)
-      std::reverse(edge_.begin(), edge_.begin() + Count());
-  }
-
-  // The margin's height over the centre, in radii, at `x` radii to the character's left.
-  float HeightAt(float x) const {
-    const float wanted_m = ball_.centre.x + x * ball_.radius_m;
-    // The piece of the margin that holds x; the first or the last one beyond the corners.
-    std::size_t j = 1;
-    while (j + 1 < columns_ && edge_[j].x < wanted_m) ++j;
-    const glm::vec3 a = edge_[j - 1];
-    const glm::vec3 b = edge_[j];
-    const float t = std::clamp((wanted_m - a.x) / std::max(b.x - a.x, 1e-5F), 0.0F, 1.0F);
-    return (a.y + (b.y - a.y) * t - ball_.centre.y) / ball_.radius_m;
-  }
-
- private:
-  static constexpr std::size_t kMost = 64;
-  // As iterators want it.
-  std::ptrdiff_t Count() const { return static_cast<std::ptrdiff_t>(columns_); }
-
-  face::EyeBall ball_;
-  std::size_t columns_ = 0;
-  std::array<glm::vec3, kMost> edge_{};
-};
-
-// At kLidPlaces places from -kLidReach to kLidReach, of the upper lid and then of the lower one: eye.frag
-// shades the ball beside them.
-std::array<float, 2 * kLidPlaces> LidHeights(const face::Shape& shape, const face::LidRig& rig,
-                                             const face::EyeBall& ball) {
-  std::array<float, 2 * kLidPlaces> heights;
-  heights.fill(kLidReach);  // No lid, no shade.
-  std::fill_n(heights.begin() + kLidPlaces, kLidPlaces, -kLidReach);
-  if (rig.columns < 2) return heights;
-  const LidEdge upper(shape, rig, rig.upper, ball);
-  const LidEdge lower(shape, rig, rig.lower, ball);
-  for (std::size_t i = 0; i < kLidPlaces; ++i) {
-    const float x = kLidReach * (2.0F * static_cast<float>(i) / (kLidPlaces - 1) - 1);
-    heights[i] = upper.HeightAt(x);
-    heights[kLidPlaces + i] = lower.HeightAt(x);
-  }
-  return heights;
-}
-
 // The inverse of the gaze's turn: the shader asks where on the iris a point of the ball lies.
 glm::mat3 HeadToIris(const scene::Gaze& gaze) {
   const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
@@ -125,6 +68,7 @@ EyesPass::EyesPass(gl::Program program, gl::Program dark, const face::Topology& 
       drawn_(program_.Find("drawn")),
       answer_(program_.Find("answer")),
       dark_ball_(dark_.Find("ball")),
+      dark_lid_(dark_.Find("lid")),
       directions_(gl::Buffer::Of(std::span<const glm::vec3>(CapDirections()))),
       cap_({{directions_, 12, {{0, 3, gl::Scalar::kFloat, 0}}}}, CapTriangles()) {}
 
@@ -146,8 +90,7 @@ void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& 
   gl::Program::Set(answer_, glm::vec2(eye.wet, eye.glow));
   for (std::size_t side = 0; side < 2; ++side) {
     const face::EyeBall& ball = shape.eyes[side];
-    // A tenth of a millimetre: such a ball is on its way to none.
-    if (ball.radius_m < 1e-4F) continue;
+    if (ball.radius_m < kNoBall_m) continue;
     // The shader compares with the distance from the gaze's axis, in radii: the sine of the iris's angle.
     const float reach = std::sin(std::min(shape.eye_look.iris_radius_m / ball.radius_m, 1.4F));
     gl::Program::Set(ball_, glm::vec4(ball.centre, ball.radius_m));
@@ -158,12 +101,16 @@ void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& 
   }
 }
 
-// Pushed back a little, so that iris and pupil, which lie on the ball, win.
+// Pushed back a little, so that iris and pupil, which lie on the ball, win. Not where lids cover it: the coarse cage
+// of a shut lid lets a ball through here and there.
 void EyesPass::DrawDark(const face::Shape& shape) const {
   gl::Apply({.push_back = true});
   dark_.Use();
-  for (const face::EyeBall& ball : shape.eyes) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const face::EyeBall& ball = shape.eyes[side];
+    if (ball.radius_m < kNoBall_m) continue;
     gl::Program::Set(dark_ball_, glm::vec4(ball.centre, ball.radius_m));
+    gl::Program::Set(dark_lid_, LidHeights(shape, topology_->lids[side], ball));
     cap_.Draw();
   }
 }

@@ -20,7 +20,7 @@ class EyesPass {
   // below them, by nine heights of each margin over it; a ball without a radius is left out. `pupil`:
   // Scene::pupil.
   void Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze, float pupil) const;
-  // Dark balls that only hide what lies behind them, for the wireframe.
+  // Dark balls between the lids that only hide what lies behind them, for the wireframe.
   void DrawDark(const face::Shape& shape) const;
 
  private:
@@ -32,7 +32,7 @@ class EyesPass {
   gl::Program program_;
   gl::Program dark_;
   // Where uniforms are, of program_ and then of dark_.
-  int ball_, gaze_, lid_, iris_, white_, drawn_, answer_, dark_ball_;
+  int ball_, gaze_, lid_, iris_, white_, drawn_, answer_, dark_ball_, dark_lid_;
   // Unit directions from the ball's centre; cap_ borrows them.
   gl::Buffer directions_;
   gl::Mesh cap_;

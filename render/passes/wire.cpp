@@ -8,6 +8,7 @@
 
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
+#include "render/passes/lid_heights.h"
 #include "render/scene/view.h"
 
 namespace kaori::passes {
@@ -21,6 +22,9 @@ constexpr std::size_t kCircle = 40;
 constexpr std::size_t kCircles = 4;
 // Beyond white: cyan pales.
 constexpr float kEyeBrightness = 2.6F;
+
+// In radii of the ball: so near to a lid's margin a circle fades.
+constexpr float kLidFades = 0.06F;
 
 // Lines fade in over this part of the parameter space's height: the neck, which has no end in the picture.
 // As wire_body.vert.
@@ -48,6 +52,14 @@ std::vector<glm::vec3> GlowsOf(const face::Cast& cast) {
     glows.push_back(most > 0 ? glm::pow(flat / most, glm::vec3(1.6F)) : glm::vec3(1));
   }
   return glows;
+}
+
+// How much of a point of the ball's surface the lids leave to be seen, 0..1. `way` is its direction from the centre,
+// head's frame. Depth would not tell: lines are drawn a little nearer than what they lie on, and lids are thin.
+float BetweenLids(const LidHeightsOf& heights, const glm::vec3& way) {
+  const auto off = [](float over) { return glm::smoothstep(0.0F, kLidFades, over); };
+  return off(LidHeight(heights, Lid::kUpper, way.x) - way.y) *
+         off(way.y - LidHeight(heights, Lid::kLower, way.x));
 }
 
 // A line is a ribbon of two triangles that turns to the viewer (wire.vert): GLES draws wide lines on few
@@ -100,6 +112,7 @@ WirePass::WirePass(gl::Program body, gl::Program lines, const face::Cast& cast)
       body_paint_(body_.Find("paint")),
       lines_paint_(lines_.Find("paint")),
       glows_(GlowsOf(cast)),
+      lids_(cast.topology.lids),
       cage_points_(cast.topology.vertex_count),
       fades_(FadesOf(cast.topology)),
       points_(static_cast<std::size_t>(TextureRows(cage_points_ + kCircles * kCircle) * kTexture_px)),
@@ -122,16 +135,24 @@ Result<WirePass> WirePass::Open(const face::Cast& cast) {
 }
 
 // Two circles: the edge of the iris, and the pupil.
-void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m,
+void WirePass::WriteEye(const face::Shape& shape, std::size_t side, const scene::Gaze& gaze,
                         glm::vec4* points) const {
+  const face::EyeBall& ball = shape.eyes[side];
+  if (ball.radius_m < kNoBall_m) {
+    std::fill_n(points, 2 * kCircle, glm::vec4(ball.centre, 0));
+    return;
+  }
+  const LidHeightsOf heights = LidHeights(shape, lids_[side], ball);
   const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
   for (const float part : {0.92F, 0.40F}) {
     // An angle at the ball's centre: part of the iris's arc.
-    const float away = part * iris_m / std::max(ball.radius_m, 1e-4F);
+    const float away = part * shape.eye_look.iris_radius_m / ball.radius_m;
     for (std::size_t i = 0; i < kCircle; ++i) {
       const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kCircle;
       const glm::vec3 way{std::sin(away) * std::cos(round), std::sin(away) * std::sin(round), std::cos(away)};
-      *points++ = glm::vec4(ball.centre + turn * way * ball.radius_m, kEyeBrightness);
+      const glm::vec3 turned = turn * way;
+      *points++ =
+          glm::vec4(ball.centre + turned * ball.radius_m, kEyeBrightness * BetweenLids(heights, turned));
     }
   }
 }
@@ -141,8 +162,7 @@ void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, floa
 void WirePass::WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) {
   for (std::size_t i = 0; i < cage_points_; ++i) points_[i] = glm::vec4(shape.cage[i], fades_[i]);
   for (std::size_t side = 0; side < 2; ++side) {
-    WriteEye(shape.eyes[side], gaze[side], shape.eye_look.iris_radius_m,
-             &points_[cage_points_ + side * 2 * kCircle]);
+    WriteEye(shape, side, gaze[side], &points_[cage_points_ + side * 2 * kCircle]);
   }
   texture_.Write(TextureRows(points_.size()), std::as_bytes(std::span(points_)));
 }

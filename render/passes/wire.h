@@ -1,6 +1,7 @@
 // The wireframe: the cage's quad edges as smooth lines over a dark body that hides what lies behind.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "render/face/cast.h"
@@ -21,7 +22,7 @@ class WirePass {
   static Result<WirePass> Open(const face::Cast& cast);
 
   // The surface's cage must be written. Each face's lines glow in a colour of its own; circles stand for iris
-  // and pupil, turned by the gaze.
+  // and pupil, turned by the gaze, as far as the lids leave them to be seen.
   void Draw(const Surface& surface, const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze);
 
  private:
@@ -30,8 +31,8 @@ class WirePass {
   void WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze);
   // The colour of the lines.
   glm::vec3 Paint(const face::Terms& faces) const;
-  // Writes 2 circles of points from `points` on. `iris_m`: the radius of the iris along the ball.
-  void WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m, glm::vec4* points) const;
+  // Writes 2 circles of points from `points` on, of the eye on this side.
+  void WriteEye(const face::Shape& shape, std::size_t side, const scene::Gaze& gaze, glm::vec4* points) const;
 
   // The dark body, and the lines.
   gl::Program body_;
@@ -39,6 +40,8 @@ class WirePass {
   int body_paint_, lines_paint_;
   // Of each face: what its lines glow in.
   std::vector<glm::vec3> glows_;
+  // The lids that cover the circles.
+  std::array<face::LidRig, 2> lids_;
   // How many points of the cage come before those of the circles.
   std::size_t cage_points_;
   // Of each vertex of the cage: how much of its lines is seen.

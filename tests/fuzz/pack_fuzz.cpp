@@ -22,6 +22,7 @@ void CheckCalls(const show::Show& show) {
   const std::size_t expressions = show.cast.expressions.size();
   std::vector<show::Call> calls(show.buttons.begin(), show.buttons.end());
   calls.insert(calls.end(), show.second_buttons.begin(), show.second_buttons.end());
+  calls.insert(calls.end(), show.stick_buttons.begin(), show.stick_buttons.end());
   calls.insert(calls.end(), show.roles.mixes.begin(), show.roles.mixes.end());
   for (const show::KeyCall& key : show.keys) calls.push_back(key.call);
   for (const show::Call& call : calls) {
@@ -31,8 +32,11 @@ void CheckCalls(const show::Show& show) {
                                scene::kStyleCount,
                                show.scenes.size(),
                                show::kCueVerbCount,
-                               show::kSheetCount};
-    Promise(call.kind <= show::CallKind::kSheet, "a control calls what exists");
+                               show::kSheetCount,
+                               show.motions.size(),
+                               show::kBlinkNames.size(),
+                               show.cue_list.cues.size()};
+    Promise(call.kind <= show::CallKind::kGoTo, "a control calls what exists");
     Promise(call.mode == show::CallMode::kCall || show::Joins(call.kind), "only what can join others does");
     Promise(call.index < counts[static_cast<std::size_t>(call.kind)], "a control calls one that exists");
   }
@@ -40,6 +44,8 @@ void CheckCalls(const show::Show& show) {
     Promise(scene.face < show.cast.faces.size() && scene.expression < expressions &&
                 static_cast<int>(scene.style) < scene::kStyleCount,
             "a scene shows what exists");
+  for (const show::Motion& motion : show.motions)
+    Promise(motion.layer <= show::MotionLayer::kOver, "a motion lies in a layer that there is");
   for (const face::Face& face : show.cast.faces) {
     Promise(face.surface.texture >= 0 && face.surface.texture < static_cast<int>(show.cast.textures.size()),
             "a face has a texture");

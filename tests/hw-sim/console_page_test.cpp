@@ -29,9 +29,10 @@ TEST(ConsolePage, AsksNobodyElseForAnything) {
 TEST(ConsolePage, IsSmall) {
   std::size_t bytes = 0;
   for (const char* path :
-       {"/",          "/style.css",  "/icon.svg",    "/main.js", "/wire.js",  "/drag.js",   "/face.js",
-        "/dials.js",  "/buttons.js", "/sticks.js",   "/keys.js", "/lips.js",  "/cables.js", "/editor.js",
-        "/arrows.js", "/sound.js",   "/switches.js", "/cues.js", "/roles.js", "/check.js",  "/learn.js"}) {
+       {"/",          "/style.css", "/icon.svg",   "/main.js",   "/wire.js",     "/drag.js",
+        "/face.js",   "/dials.js",  "/buttons.js", "/sticks.js", "/keys.js",     "/lips.js",
+        "/cables.js", "/editor.js", "/arrows.js",  "/sound.js",  "/switches.js", "/cues.js",
+        "/roles.js",  "/check.js",  "/learn.js",   "/takes.js",  "/midi.js",     "/monitor.js"}) {
     ASSERT_NE(FindPageFile(path), nullptr) << path;
     bytes += FindPageFile(path)->bytes.size();
   }

@@ -1,7 +1,11 @@
 // The rig's screen through its real socket and shared memory: what is shown, and exactly when.
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
 
 #include "drivers/scanout/local_screen.h"
+#include "firmware/wire/link_monitor.h"
 #include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::sim {
@@ -46,6 +50,59 @@ TEST_F(LinkScreen, AsksToTryAgainUntilTheScreenAnswers) {
   rig->Pump();
   EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::resource_unavailable_try_again);
   EXPECT_TRUE(screen->Acquire());
+}
+
+TEST_F(LinkScreen, HasAMonitorBesideItForAsLongAsSomebodyShowsOne) {
+  EXPECT_EQ(screen->monitor_display(), nullptr) << "nobody shows it: the stage draws none";
+  ASSERT_TRUE(rig->monitor().Plug());
+  EXPECT_EQ(rig->monitor().Read(), nullptr) << "nothing was drawn yet";
+  ports::SideDisplay* monitor = screen->monitor_display();
+  ASSERT_NE(monitor, nullptr);
+  EXPECT_EQ(screen->monitor_display(), monitor) << "the same one";
+  ASSERT_EQ(monitor->width_px(), 1280);
+  ASSERT_EQ(monitor->height_px(), 720);
+  EXPECT_TRUE(monitor->fresh());
+  std::vector<std::uint8_t> rgbx(std::size_t{1280} * 720 * 4, 10);
+  ASSERT_TRUE(monitor->Show(rgbx, std::array{ports::DisplayArea{0, 0, 1280, 720}}));
+  EXPECT_FALSE(monitor->fresh());
+  const auto* shown = rig->monitor().Read();
+  ASSERT_NE(shown, nullptr);
+  EXPECT_EQ(*shown, rgbx);
+  EXPECT_EQ(rig->monitor().Read(), nullptr) << "it was read already";
+  std::ranges::fill(rgbx, 200);
+  ASSERT_TRUE(monitor->Show(rgbx, std::array{ports::DisplayArea{0, 1, 1280, 2}}));
+  shown = rig->monitor().Read();
+  ASSERT_NE(shown, nullptr);
+  constexpr std::size_t kRow = 1280 * 4;
+  EXPECT_EQ(shown->at(kRow - 1), 10) << "the row below the area";
+  EXPECT_EQ(shown->at(kRow), 200);
+  EXPECT_EQ(shown->at(2 * kRow), 10);
+  EXPECT_FALSE(monitor->Show(rgbx, std::array{ports::DisplayArea{0, 0, 1280, 721}}));
+  EXPECT_FALSE(monitor->Show(std::span(rgbx).first(4), {}));
+  rig->monitor().Unplug();
+  EXPECT_EQ(screen->monitor_display(), nullptr);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + wire::kMonitorFile));
+}
+
+TEST_F(LinkScreen, TakesAMonitorThatWasMadeAnewOrCutShortAsItIs) {
+  ASSERT_TRUE(rig->monitor().Plug());
+  ports::SideDisplay* monitor = screen->monitor_display();
+  ASSERT_NE(monitor, nullptr);
+  const std::vector<std::uint8_t> rgbx(std::size_t{1280} * 720 * 4, 10);
+  ASSERT_TRUE(monitor->Show(rgbx, std::array{ports::DisplayArea{0, 0, 1280, 720}}));
+  rig->monitor().Unplug();
+  ASSERT_TRUE(rig->monitor().Plug());
+  monitor = screen->monitor_display();
+  ASSERT_NE(monitor, nullptr);
+  EXPECT_TRUE(monitor->fresh()) << "it is blank, and all of it is drawn";
+  ASSERT_TRUE(monitor->Show(rgbx, std::array{ports::DisplayArea{0, 0, 1280, 720}}));
+  std::filesystem::resize_file(folder.path() + wire::kMonitorFile, 100);
+  EXPECT_EQ(rig->monitor().Read(), nullptr);
+  ASSERT_TRUE(monitor->Show(rgbx, std::array{ports::DisplayArea{0, 0, 1280, 720}})) << "it is as long again";
+  EXPECT_NE(rig->monitor().Read(), nullptr);
+  rig->monitor().Unplug();
+  std::ofstream(folder.path() + wire::kMonitorFile) << "no monitor at all, but as long as a header";
+  EXPECT_EQ(screen->monitor_display(), nullptr);
 }
 
 TEST_F(LinkScreen, IsAnOutputOfTheStatusOnceItHasAnsweredUntilItIsUnplugged) {

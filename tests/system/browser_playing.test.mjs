@@ -1,8 +1,8 @@
 // What a technician and whoever calls the show have on the page besides the cue list, with the real programs: the lines for
-// BACK and PANIC, the takes, and what a MIDI surface sends.
+// BACK and PANIC, the takes, the operators' monitor, and what a MIDI surface sends.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {closeSync, constants, mkdirSync, mkdtempSync, openSync, rmSync, symlinkSync, writeFileSync, writeSync} from 'node:fs';
+import {closeSync, constants, existsSync, mkdirSync, mkdtempSync, openSync, rmSync, symlinkSync, writeFileSync, writeSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, afterEach, before, test} from 'node:test';
@@ -107,6 +107,38 @@ test('a motion is begun and ended from the page, which says since when it plays'
   await row.getByRole('button', {name: 'Stop Look around'}).click();
   await until('it has ended', async () => !(await row.getAttribute('class') ?? '').includes('playing'));
   assert.equal(await row.locator('.length').textContent(), length);
+});
+
+test('the operators\u2019 monitor is on the page when somebody wants it, and goes on', async () => {
+  const panel = page.locator('#monitor');
+  const picture = panel.locator('img');
+  assert.equal(await picture.isVisible(), false);
+  assert.equal(existsSync(box.file('links/monitor.picture')), false, 'nobody looks: the stage draws none');
+  await panel.getByRole('button', {name: 'Show'}).click();
+  // Its colours, and a checksum of what stands at the top: the time of day, which goes on each second.
+  const look = () => picture.evaluate((img) => {
+    if (img.naturalWidth === 0) return null;
+    const canvas = Object.assign(document.createElement('canvas'), {width: img.naturalWidth, height: img.naturalHeight});
+    const pen = canvas.getContext('2d');
+    pen.drawImage(img, 0, 0);
+    const {data} = pen.getImageData(0, 0, canvas.width, canvas.height);
+    const colours = new Set();
+    let clock = 0;
+    for (let at = 0; at < data.length; at += 4) {
+      colours.add((data[at] >> 4 << 8) | (data[at + 1] >> 4 << 4) | data[at + 2] >> 4);
+      if (at < canvas.width * 4 * 60) clock = (clock * 31 + data[at]) % 1000003;
+    }
+    return {width: canvas.width, colours: colours.size, clock};
+  });
+  const first = await until('the monitor, with the face in it', async () => {
+    const seen = await look();
+    return seen && seen.width === 1280 && seen.colours > 100 && seen;
+  });
+  await until('its clock goes', async () => (await look()).clock !== first.clock);
+  if (process.env.KAORI_PICTURES) await new Promise((done) => setTimeout(done, 20000));  // Until all cells are drawn.
+  if (process.env.KAORI_PICTURES) await panel.screenshot({path: join(process.env.KAORI_PICTURES, 'controls-monitor.png')});
+  await panel.getByRole('button', {name: 'Hide'}).click();
+  await until('it is drawn no more', () => !existsSync(box.file('links/monitor.picture')));
 });
 
 test('each message of a MIDI surface is on the page in words, with what it is for', async () => {

@@ -167,6 +167,7 @@ void CompareMotion(const std::string& item, const show::Motion& a, const show::M
     lines.push_back(item + ": moves otherwise");
   if (a.loop_from_s != b.loop_from_s || a.loop_to_s != b.loop_to_s)
     lines.push_back(item + ": loops otherwise");
+  if (a.layer != b.layer) lines.push_back(item + ": lies in another layer");
   if (a.sound.channels != b.sound.channels || a.sound.samples != b.sound.samples)
     lines.push_back(item + ": sounds otherwise");
 }
@@ -199,6 +200,10 @@ void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
     if (const auto before = Says(a, a.second_buttons[i]), after = Says(b, b.second_buttons[i]);
         before != after)
       lines.push_back(fmt::format("button {} of the second sheet: {} is now {}", i + 1, before, after));
+  for (std::size_t i = 0; i < a.stick_buttons.size(); ++i)
+    if (const auto before = Says(a, a.stick_buttons[i]), after = Says(b, b.stick_buttons[i]); before != after)
+      lines.push_back(fmt::format("button {} of the {}: {} is now {}", i % show::kStickButtonCount + 1,
+                                  show::kDeviceNames[i / show::kStickButtonCount], before, after));
   for (const show::KeyCall& key : b.keys)
     if (const auto before = OnKey(a, key.key_usage), after = Says(b, key.call); before != after)
       lines.push_back(fmt::format("key {}: {} is now {}", key.key_usage, before, after));

@@ -155,6 +155,17 @@ Said Ease(const Arguments& arguments) {
   return SetTo(arguments, &Take::ease_s, kShortestEase_s, kLongestEase_s);
 }
 
+Said Put(const Arguments& arguments) {
+  return Changed(arguments, [&](Take& take) -> Result<void> {
+    const std::string& name = arguments.words[3];
+    const auto* const found = std::ranges::find(show::kMotionLayerNames, name);
+    if (found == show::kMotionLayerNames.end())
+      return FailInput(fmt::format("{}: is none of {}", name, fmt::join(show::kMotionLayerNames, ", ")));
+    take.layer = static_cast<show::MotionLayer>(found - show::kMotionLayerNames.begin());
+    return {};
+  });
+}
+
 Said Loop(const Arguments& arguments) {
   return Changed(arguments, [&](Take& take) -> Result<void> {
     take.loop = arguments.words[3] != "off";
@@ -221,7 +232,7 @@ Said List(const Arguments& arguments) {
 }  // namespace
 
 std::span<const TakeAction> ActionsOnTakes() {
-  static const std::array<TakeAction, 9> actions{
+  static const std::array<TakeAction, 10> actions{
       {{"record",
         "FOLDER NAME PACK LOG FROM..TO",
         {"--with", "--role", "--mouth", "--own", "--replace"},
@@ -231,6 +242,7 @@ std::span<const TakeAction> ActionsOnTakes() {
        {"gain", "FOLDER NAME FACTOR", {}, Amplify},
        {"ease", "FOLDER NAME SECONDS", {}, Ease},
        {"loop", "FOLDER NAME SECONDS|off", {}, Loop},
+       {"put", "FOLDER NAME under|over|add", {}, Put},
        {"layer", "FOLDER NAME FIRST SECOND", {"--replace"}, Layer},
        {"punch", "FOLDER NAME FIRST SECOND AT", {"--replace"}, Punch},
        {"list", "FOLDER", {}, List}}};

@@ -27,7 +27,8 @@ int RunTake(const Arguments& arguments) {
   std::string misuse;
   if (action == actions.end())
     misuse = fmt::format(
-        "take {}: there is no such action; there are record, trim, stretch, gain, ease, loop, layer, punch, "
+        "take {}: there is no such action; there are record, trim, stretch, gain, ease, loop, put, layer, "
+        "punch, "
         "list",
         arguments.words[0]);
   else
@@ -57,12 +58,13 @@ Verb VerbOfTakes() {
   take gain FOLDER NAME FACTOR                0.1 to 2: of all that moves
   take ease FOLDER NAME SECONDS               in and out: it begins and ends at rest
   take loop FOLDER NAME SECONDS|off           again and again; the end runs into the beginning within so many seconds
+  take put FOLDER NAME under|over|add         under or over what is played live, or added to it
   take layer FOLDER NAME FIRST SECOND         makes NAME of FIRST, with the channels that SECOND moves
   take punch FOLDER NAME FIRST SECOND AT      makes NAME of FIRST, with SECOND in its place from second AT on
   take list FOLDER                            what there is
 
 FOLDER is a show's; takes lie in FOLDER/takes/NAME.toml and are packed with it. PACK is the show as it was played when LOG was
-written. Recordings are kept whole: trim, stretch, gain, ease and loop only say how they are played.
+written. Recordings are kept whole: trim, stretch, gain, ease, loop and put only say how they are played.
 
   --with NAME    record: begins where the take NAME began to play in that time, for a pass over it
   --role ROLE    record: what that role's levels did, and nothing else

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "appliance/authoring/script/show_parts.h"
+#include "appliance/core/roles/own_buttons.h"
 
 namespace kaori::authoring {
 namespace {
@@ -24,8 +25,34 @@ std::uint16_t SheetNamed(toml::Section& section, const std::string& key, const s
   return name == "2" ? 1 : 0;
 }
 
-constexpr std::array<std::string_view, 8> kItemKinds{"face", "expression", "style", "scene",
-                                                     "cue",  "sheet",      "take",  "motion"};
+constexpr std::array<std::string_view, 10> kItemKinds{"face",  "expression", "style",  "scene", "cue",
+                                                      "sheet", "take",       "motion", "blink", "wink"};
+
+// "cue go", or "cue 14" for a jump to that one. A show without a list of its own has its scenes as cues, which
+// are called as scenes.
+show::Call CueCalled(const Script& script, toml::Section& section, const std::string& key,
+                     const std::string& name) {
+  if (!show::IsCueNumber(name)) return {show::CallKind::kCue, CueVerbNamed(section, key, name)};
+  const auto& cues = script.show.cue_list.cues;
+  const auto found = std::ranges::find(cues, name, &show::Cue::number);
+  if (found != cues.end()) return {show::CallKind::kGoTo, static_cast<std::uint16_t>(found - cues.begin())};
+  if (!script.knows_cues) return {};
+  std::vector<std::string_view> numbers;
+  for (const show::Cue& cue : cues) numbers.emplace_back(cue.number);
+  section.Fault(key, cues.empty()
+                         ? fmt::format("there is no cue \"{}\": the show has no cues.toml", name)
+                         : fmt::format("there is no cue \"{}\"{}", name, toml::DidYouMean(name, numbers)));
+  return {};
+}
+
+// "blink", "wink left", "wink right": as they lie before the operator.
+show::Call BlinkCalled(toml::Section& section, const std::string& key, const std::string& text) {
+  const auto* const found = std::ranges::find(show::kBlinkNames, text);
+  if (found != show::kBlinkNames.end())
+    return {show::CallKind::kBlink, static_cast<std::uint16_t>(found - show::kBlinkNames.begin())};
+  section.Fault(key, fmt::format("\"{}\" is none of {}", text, fmt::join(show::kBlinkNames, ", ")));
+  return {};
+}
 
 // "face kaori". `section` holds it under `key`, for the faults.
 // A name that is not there is a fault and gives number 0 of its kind; a word that is no kind
@@ -37,7 +64,8 @@ show::Call ReadItem(Script& script, toml::Section& section, const std::string& k
   if (kind == "style") return {show::CallKind::kStyle, StyleNamed(section, key, name)};
   if (kind == "scene")
     return {show::CallKind::kScene, IndexOf(section, key, "scene", script.show.scenes, name)};
-  if (kind == "cue") return {show::CallKind::kCue, CueVerbNamed(section, key, name)};
+  if (kind == "cue") return CueCalled(script, section, key, name);
+  if (kind == "blink" || kind == "wink") return BlinkCalled(section, key, text);
   if (kind == "sheet") return {show::CallKind::kSheet, SheetNamed(section, key, name)};
   if (kind == "take" || kind == "motion")
     return {show::CallKind::kMotion, IndexOf(section, key, kind.c_str(), script.show.motions, name)};
@@ -134,6 +162,29 @@ void ReadKeys(Script& script, toml::Section keys) {
   for (const auto& [name, value] : keys.table().table) {
     const std::uint16_t usage = KeyNamed(script, keys, name, name, "[keys]");
     script.show.keys.push_back({usage, ReadCall(script, keys, name, value)});
+  }
+}
+
+// The dial box's have their rows in show.toml, and one place each is enough. Two tables of one button are a
+// fault of the second one.
+void ReadStickButtons(Script& script, toml::Section file) {
+  std::size_t count = 0;
+  std::vector<std::uint8_t> given;
+  for (const toml::Section& one : file.Parts("button")) {
+    toml::Section button(one.table(), fmt::format("button[{}]", ++count), script.faults);
+    const roles::NamedButton named = roles::ReadNamedButton(button);
+    const toml::Value* const value = button.Find("call");
+    const show::Call call = value == nullptr ? show::Call() : ReadCall(script, button, "call", *value);
+    if (value == nullptr) button.Fault("call", "is missing, such as \"cue go\"");
+    if (named.device == show::Device::kDialBox) {
+      button.Fault("device", "must be a stick: buttons of the dial box stand in show.toml, under buttons");
+      continue;
+    }
+    const std::uint8_t number = roles::ButtonNamed(named);
+    if (std::ranges::find(given, number) != given.end())
+      button.Fault("number", fmt::format("button {} is given twice", named.number));
+    given.push_back(number);
+    script.show.stick_buttons[number - std::size_t{show::kButtonCount}] = call;
   }
 }
 

@@ -4,6 +4,7 @@
 #include "appliance/authoring/script/show_parts.h"
 #include "appliance/authoring/script/wave_file.h"
 #include "appliance/authoring/takes/curve_file.h"
+#include "appliance/authoring/takes/take_file.h"
 
 namespace kaori::authoring {
 namespace {
@@ -54,7 +55,7 @@ tl::expected<std::uint16_t, std::string> ChannelNamed(const Script& script, cons
       fmt::format("there is no target or channel \"{}\"{}", name, toml::DidYouMean(name, names)));
 }
 
-// Keys of the table that are not name, key or sound are curves, so unknown ones are looked up as such.
+// Keys of the table that are not name, key, sound or layer are curves, so unknown ones are looked up as such.
 show::Motion ReadMotion(Script& script, toml::Section section) {
   show::Motion motion;
   motion.name = section.TextOr("name", "unnamed");
@@ -64,8 +65,9 @@ show::Motion ReadMotion(Script& script, toml::Section section) {
       section.Fault("name", fmt::format("the name \"{}\" is given twice", motion.name));
   if (section.Has("key")) motion.key_usage = KeyNamed(script, section, "key", section.Text("key"), user);
   if (section.Has("sound")) motion.sound = ReadSound(script, section);
+  motion.layer = ReadLayer(section);
   for (const auto& [key, value] : section.table().table) {
-    if (key == "name" || key == "key" || key == "sound") continue;
+    if (key == "name" || key == "key" || key == "sound" || key == "layer") continue;
     if (value.kind == toml::Value::Kind::kList)
       motion.curves.push_back(ReadMotionCurve(script, section, user, key, value));
     else

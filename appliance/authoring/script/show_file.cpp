@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "appliance/authoring/script/backdrop_file.h"
 #include "appliance/authoring/script/show_parts.h"
@@ -60,7 +62,7 @@ void ReadChannels(Script& script, toml::Section section) {
     channels.mouth[i] = ExpressionNamed(script, section, "mouth", mouth[i]);
 }
 
-// Gaze targets before scenes, and scenes before motions and buttons, which may call them. [[take]] is what
+// Gaze targets before scenes, and scenes before motions. [[take]] is what
 // motions were called before; takes have files of their own.
 void ReadScript(Script& script, toml::Section file) {
   if (file.Has("take")) file.Fault("take", "a registered motion is now written [[motion]], not [[take]]");
@@ -77,46 +79,72 @@ void ReadScript(Script& script, toml::Section file) {
   for (const toml::Section& motion : file.Parts("motion"))
     script.show.motions.push_back(ReadMotion(script, Named(script, "motion", motion, ++number)));
   ReadTakes(script);
-  if (file.Has("buttons")) ReadButtons(script, file, "buttons", script.show.buttons);
-  if (file.Has("second_buttons")) ReadButtons(script, file, "second_buttons", script.show.second_buttons);
   if (file.Has("fades")) ReadFades(script, file.Part("fades"));
-  if (file.Has("keys")) ReadKeys(script, file.Part("keys"));
   if (file.Has("channels")) ReadChannels(script, file.Part("channels"));
 }
 
-// Reads the file of a part with `read`, and returns its faults; a show may be without it.
-std::vector<std::string> FaultsBeside(const Script& of_show, const char* name,
-                                      void (*read)(Script&, toml::Section)) {
-  const std::filesystem::path file = of_show.folder / name;
-  if (!IsThere(file)) return {};
-  const auto value = toml::ReadToml(file);
-  if (!value) return {value.error().message()};
-  toml::Faults faults(file.string());
-  Script script{.folder = of_show.folder, .known = of_show.known, .show = of_show.show, .faults = faults};
-  read(script, toml::Section(*value, "", faults));
-  return faults.lines();
+// What buttons and keys call, once all of it is read.
+void ReadControls(Script& script, toml::Section file) {
+  if (file.Has("buttons")) ReadButtons(script, file, "buttons", script.show.buttons);
+  if (file.Has("second_buttons")) ReadButtons(script, file, "second_buttons", script.show.second_buttons);
+  if (file.Has("keys")) ReadKeys(script, file.Part("keys"));
+}
+
+// A file beside show.toml, which a show may be without. Its own faults are told once, whoever reads its parts.
+struct FileBeside {
+  std::filesystem::path file;
+  std::optional<toml::Value> value;  // None: it is not there, or it is no TOML.
+  std::vector<std::string> faults;
+};
+
+FileBeside ReadBeside(const Script& of_show, const char* name) {
+  FileBeside beside{.file = of_show.folder / name, .value = {}, .faults = {}};
+  if (!IsThere(beside.file)) return beside;
+  auto value = toml::ReadToml(beside.file);
+  if (value) beside.value = std::move(*value);
+  if (!value) beside.faults.push_back(value.error().message());
+  return beside;
+}
+
+// Reads a part of it with `read`.
+void ReadPart(const Script& of_show, FileBeside& beside, void (*read)(Script&, toml::Section)) {
+  if (!beside.value) return;
+  toml::Faults faults(beside.file.string());
+  Script script{.folder = of_show.folder,
+                .known = of_show.known,
+                .show = of_show.show,
+                .faults = faults,
+                .knows_cues = of_show.knows_cues};
+  read(script, toml::Section(*beside.value, "", faults));
+  std::ranges::copy(faults.lines(), std::back_inserter(beside.faults));
 }
 
 }  // namespace
 
 // A file that cannot be read is one fault: the error of reading it.
-// Roles are read before cues, which may release levels that only the roles name, and
-// the lobby last: it stands in one of the cues.
+// Roles are read before cues, which may release levels that only the roles name, buttons and keys after cues,
+// and the lobby last: it stands in one of the cues.
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show, KnownNames known) {
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};
   toml::Faults faults(file.string());
   Script script{.folder = file.parent_path(), .known = known, .show = show, .faults = faults};
-  ReadScript(script, toml::Section(*value, "", faults));
-  std::vector<std::string> lines = faults.lines();
-  std::ranges::copy(script.faults_of_takes, std::back_inserter(lines));
-  const std::filesystem::path of_roles = script.folder / "roles.toml";
+  const toml::Section of_show(*value, "", faults);
+  ReadScript(script, of_show);
   roles::Items items = roles::ItemsOf(show.cast);
   items.all_known = known.faces && known.expressions;
-  if (IsThere(of_roles))
-    std::ranges::copy(roles::ReadRolesFile(of_roles, items, show.roles), std::back_inserter(lines));
-  std::ranges::copy(FaultsBeside(script, "cues.toml", ReadCueList), std::back_inserter(lines));
-  std::ranges::copy(FaultsBeside(script, "lobby.toml", ReadLobbyFile), std::back_inserter(lines));
+  FileBeside of_roles = ReadBeside(script, "roles.toml"), of_cues = ReadBeside(script, "cues.toml"),
+             of_lobby = ReadBeside(script, "lobby.toml");
+  if (of_roles.value) of_roles.faults = roles::ReadRolesFile(of_roles.file, items, show.roles);
+  ReadPart(script, of_cues, ReadCueList);
+  script.knows_cues = of_cues.value || of_cues.faults.empty();
+  ReadControls(script, of_show);
+  ReadPart(script, of_roles, ReadStickButtons);
+  ReadPart(script, of_lobby, ReadLobbyFile);
+  std::vector<std::string> lines = faults.lines();
+  for (const auto* more : {&std::as_const(script.faults_of_takes), &std::as_const(of_roles.faults),
+                           &std::as_const(of_cues.faults), &std::as_const(of_lobby.faults)})
+    std::ranges::copy(*more, std::back_inserter(lines));
   return lines;
 }
 

@@ -16,7 +16,7 @@ struct KnownNames {
   bool expressions = true;
 };
 
-// Fills buttons, keys, motions, takes (files of takes/ beside `file`), scenes, channels and, where there is a
+// Fills buttons of the dial box and of sticks, keys, motions, takes (files of takes/ beside `file`), scenes, channels and, where there is a
 // cues.toml beside `file`, the cue list of `show`, whose cast must be there: names are looked up in it; where
 // there is a lobby.toml, the lobby.
 // Pictures of backdrops are appended to the cast's textures. Returns every fault found, one line each: file,

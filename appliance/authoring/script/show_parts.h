@@ -29,6 +29,7 @@ struct Script {
   toml::Faults& faults;
   // Who has a key, by its name: "scene "night" in line 12". Two users of one key are a fault.
   std::map<std::string, std::string> used_keys{};
+  bool knows_cues = true;  // False: cues.toml could not be read, and no number is said to be missing.
   std::vector<std::string> faults_of_takes{};  // Lines, each with its own file.
 };
 
@@ -69,7 +70,7 @@ std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view 
 // counts from 1.
 toml::Section Named(Script& script, const char* kind, const toml::Section& section, std::size_t number);
 
-// One [[motion]]: name, key, sound, and a curve for each other key: a list of pairs [second, value] that
+// One [[motion]]: name, key, sound, layer, and a curve for each other key: a list of pairs [second, value] that
 // starts and ends at 0. Angles are degrees in the file and radians in the motion.
 show::Motion ReadMotion(Script& script, toml::Section section);
 
@@ -96,13 +97,15 @@ void ReadCueList(Script& script, toml::Section file);
 // The lobby, of lobby.toml. Cues, motions and gaze targets must have been read.
 void ReadLobbyFile(Script& script, toml::Section file);
 
-// Fills the 32 buttons of a sheet, which stand in `list` as rows of texts such as "face kaori". Scenes must
-// have been read, since buttons name them.
+// Fills the 32 buttons of a sheet, which stand in `list` as rows of texts such as "face kaori". Scenes, motions and
+// cues must have been read, since buttons name them; so it is for all that follow.
 void ReadButtons(Script& script, const toml::Section& file, const std::string& list,
                  std::array<show::Call, show::kButtonCount>& into);
 // [fades]: how faces and expressions come and go when a person calls them.
 void ReadFades(Script& script, toml::Section fades);
 // The keys of [keys], which call what buttons call.
 void ReadKeys(Script& script, toml::Section keys);
+// Each [[button]] of roles.toml: a button of a stick, and what it calls.
+void ReadStickButtons(Script& script, toml::Section file);
 
 }  // namespace kaori::authoring

@@ -72,6 +72,7 @@ show::Motion MotionOf(Script& script, toml::Section& file, toml::Faults& faults,
   const TakeLoop loop = LoopOf(take);
   motion.loop_from_s = loop.from_s;
   motion.loop_to_s = loop.to_s;
+  motion.layer = take.layer;
   for (const TakeCurve& curve : take.curves) {
     const bool channel = curve.target == show::MotionTarget::kChannel;
     const auto index = channel ? ChannelNamed(script, curve.channel) : std::uint16_t{0};

@@ -44,6 +44,7 @@ struct Take {
   float stretch = 1;     // Of its time; 2 is half as fast.
   float gain = 1;        // Of all that moves.
   float ease_s = 0.25F;  // In and out, in seconds as it is played: it begins and ends at rest.
+  show::MotionLayer layer = show::MotionLayer::kAdd;  // Beside those who have the same levels.
   bool loop = false;
   float blend_s = 0.5F;  // The end of a loop runs into its beginning within so many seconds as it is played.
   std::vector<TakeCurve> curves{};

@@ -117,9 +117,21 @@ std::filesystem::path FileOfTake(const std::filesystem::path& folder, std::strin
   return folder / "takes" / (std::string(name) + ".toml");
 }
 
+show::MotionLayer ReadLayer(toml::Section& section) {
+  if (!section.Has("layer")) return show::MotionLayer::kAdd;
+  const std::string name = section.Text("layer");
+  const auto* const found = std::ranges::find(show::kMotionLayerNames, name);
+  if (found != show::kMotionLayerNames.end())
+    return static_cast<show::MotionLayer>(found - show::kMotionLayerNames.begin());
+  if (!name.empty())
+    section.Fault("layer",
+                  fmt::format("\"{}\" is none of {}", name, fmt::join(show::kMotionLayerNames, ", ")));
+  return show::MotionLayer::kAdd;
+}
+
 Take ReadTake(toml::Section file, toml::Faults& faults, std::string name) {
-  file.AllowOnly(
-      {"notes", "key", "sound", "from_s", "to_s", "stretch", "gain", "ease_s", "loop", "blend_s", "curves"});
+  file.AllowOnly({"notes", "key", "sound", "layer", "from_s", "to_s", "stretch", "gain", "ease_s", "loop",
+                  "blend_s", "curves"});
   Take take{.name = std::move(name)};
   if (!IsTakeName(take.name))
     file.Fault("", "the name of a take's file is of letters, digits, spaces, - and _, and is not \"none\"");
@@ -131,6 +143,7 @@ Take ReadTake(toml::Section file, toml::Faults& faults, std::string name) {
   take.stretch = NumberOf(file, kStretchWanted, take.stretch);
   take.gain = NumberOf(file, kGainWanted, take.gain);
   take.ease_s = NumberOf(file, kEaseWanted, take.ease_s);
+  take.layer = ReadLayer(file);
   take.loop = SwitchOf(file, "loop");
   take.blend_s = NumberOf(file, kBlend, take.blend_s);
   take.curves = ReadCurves(file, faults);
@@ -161,6 +174,8 @@ std::string TextOf(const Take& take) {
   add(kStretchWanted, take.stretch, usual.stretch);
   add(kGainWanted, take.gain, usual.gain);
   add(kEaseWanted, take.ease_s, usual.ease_s);
+  if (take.layer != usual.layer)
+    text += fmt::format("layer = \"{}\"\n", show::kMotionLayerNames[static_cast<std::size_t>(take.layer)]);
   if (take.loop) text += "loop = true\n";
   add(kBlend, take.blend_s, usual.blend_s);
   if (take.curves.empty()) return text;
@@ -193,6 +208,8 @@ std::string Described(const Take& take) {
   if (take.gain != 1) said += fmt::format("; {:.2f} times as large", take.gain);
   if (const TakeLoop loop = LoopOf(take); take.loop)
     said += fmt::format("; a loop of {:.2f} s", loop.to_s - loop.from_s);
+  if (take.layer != show::MotionLayer::kAdd)
+    said += fmt::format("; {} hands", show::kMotionLayerNames[static_cast<std::size_t>(take.layer)]);
   if (!take.sound.empty()) said += "; with the sound " + take.sound;
   return said;
 }

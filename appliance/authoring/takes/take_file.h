@@ -19,6 +19,9 @@ std::filesystem::path FileOfTake(const std::filesystem::path& folder, std::strin
 // filled in part.
 Take ReadTake(toml::Section file, toml::Faults& faults, std::string name);
 
+// "under", "over" or "add" under `layer`, of a take or of a motion; add where there is none. Another word is a fault.
+show::MotionLayer ReadLayer(toml::Section& section);
+
 // Blocks for the disk. Errors: those of ReadToml; kInput: all faults of the file, one a line.
 Result<Take> LoadTake(const std::filesystem::path& folder, const std::string& name);
 

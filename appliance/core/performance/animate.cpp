@@ -7,6 +7,7 @@
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/lamps.h"
+#include "appliance/core/performance/layers.h"
 #include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
@@ -97,6 +98,7 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
   const bool was_locked = state.locked != 0;
   PlayCalls(state, events, show, passed_s);
   MoveLevels(state, board, events, show.roles, dt_s);
+  MoveLayers(state, show.roles, dt_s);
   HandleLines(state, board.lines, dt_s);
   PlayCues(state, board, show, dt_s);
   FollowServiceKey(state, was_locked, board.lines);

@@ -19,6 +19,10 @@ enum class Owner : std::uint8_t {
 };
 inline constexpr std::uint8_t kOwnerCount = 4;
 
+// SmoothStep rises by 1.5 of its length at its steepest: with this much of a second for a whole range no
+// frame of a 60th of a second moves by more than 2 % of it.
+inline constexpr float kEaseOfRange_s = 1.25F;
+
 // One level, in its own unit (show::LevelInfo). Plain bytes, a part of State.
 struct LevelNow {
   float value = 0;          // As its owner wants it, with what is left of the hand-over.

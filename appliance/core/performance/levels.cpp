@@ -20,9 +20,6 @@ constexpr float kRemoteCounts_s = 1;  // VTube Studio's time for a parameter tha
 constexpr float kRestReleases_s = 0.7F;
 // Of a control's whole way: so far it moves before it takes a level from another owner.
 constexpr float kClaims = 0.02F;
-// SmoothStep rises by 1.5 of its length at its steepest: with this much of a second for a whole range no
-// frame of a 60th of a second moves by more than 2 % of it.
-constexpr float kEaseOfRange_s = 1.25F;
 
 LevelNow& NowOf(State& state, Level level) {
   return state.levels[static_cast<std::size_t>(level)];
@@ -193,8 +190,9 @@ class LevelFrame {
   // What the owner wants, without what is left of the hand-over.
   float WantedOf(Level which) {
     LevelNow& level = NowOf(state_, which);
-    if (level.owner == Owner::kRemote) return level.remote;
     const float rest = show::InfoOf(which).rest;
+    if (level.owner == Owner::kRemote)
+      return Mix(level.remote, rest, state_.layers[static_cast<std::size_t>(which)].covers);
     if (level.owner != Owner::kHand) return show::Stays(which) ? level.value : rest;
     float said = level.base;
     bool silent = true;

@@ -70,10 +70,16 @@ bool PlaysGaze(const State& state, const show::Show& show) {
   });
 }
 
-// Whether a role or a remote control has one of these levels.
+// How much of the level takes of the layers under and over have, which life gives way to: 0..1.
+float TakesHave(const State& state, show::Level level) {
+  return state.layers[static_cast<std::size_t>(level)].has;
+}
+
+// Whether a role or a remote control has one of these levels, or a take that does not merely add.
 bool IsOwned(const State& state, std::initializer_list<show::Level> levels) {
   return std::ranges::any_of(levels, [&state](show::Level level) {
-    return state.levels[static_cast<std::size_t>(level)].owner >= Owner::kRemote;
+    return state.levels[static_cast<std::size_t>(level)].owner >= Owner::kRemote ||
+           TakesHave(state, level) > 0;
   });
 }
 
@@ -119,7 +125,9 @@ float BlinksPerMinute(const State& state, const board::Snapshot& board) {
 
 // Brows that a stick has moved are that hand's.
 float BrowOf(const State& state, const Accent& accent) {
-  return IsOwned(state, {show::Level::kBrow}) || std::abs(state.brow) > kHandOnBrow ? 0 : accent.brow;
+  const bool hand = state.levels[static_cast<std::size_t>(show::Level::kBrow)].owner >= Owner::kRemote ||
+                    std::abs(state.brow) > kHandOnBrow;
+  return hand ? 0 : accent.brow * (1 - TakesHave(state, show::Level::kBrow));
 }
 
 scene::Head Scaled(const scene::Head& head, float by) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "appliance/core/performance/ease.h"
+#include "appliance/core/performance/layers.h"
 
 namespace kaori::performance {
 namespace {
@@ -92,6 +93,7 @@ void EndMotions(State& state) {
 // out goes on doing so, even where the one that took over has ended since: gain < 1 says so.
 Motion PlayMotions(State& state, const show::Show& show, float dt_s) {
   Motion sum;
+  ClearLayers(state);
   const Playing* youngest = Youngest(state);
   for (Playing& voice : state.voices) {
     if (voice.motion < 0 || voice.motion >= static_cast<int>(show.motions.size())) continue;
@@ -99,8 +101,10 @@ Motion PlayMotions(State& state, const show::Show& show, float dt_s) {
     voice.at_s += dt_s;
     if (played.Loops()) voice.at_s = InLoop(played, voice.at_s);
     if (&voice != youngest || voice.gain < 1) voice.gain = Travel(voice.gain, 0, dt_s, 1 / kFadeOut_s);
-    for (const auto& curve : played.curves)
-      Add(sum, curve, voice.gain * show::ValueAt(curve.keys, played.recorded, voice.at_s));
+    for (const auto& curve : played.curves) {
+      const float value = voice.gain * show::ValueAt(curve.keys, played.recorded, voice.at_s);
+      Add(sum, curve, value * LayerShare(state, show, curve, voice, value));
+    }
     if (voice.gain <= 0 || (!played.Loops() && voice.at_s >= EndOf(played))) voice.motion = -1;
   }
   return sum;

@@ -17,7 +17,7 @@ struct Motion {
   face::Terms channels;
 };
 
-// Moves the playing motions on by dt_s and gives their sum. When a motion is called while others play, those
+// Moves the playing motions on by dt_s and gives their sum, each by its layer (layers.h). When a motion is called while others play, those
 // fade out in 0.25 s. One that loops plays until another is called or EndMotions ends it.
 Motion PlayMotions(State& state, const show::Show& show, float dt_s);
 

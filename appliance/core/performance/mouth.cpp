@@ -9,7 +9,9 @@
 namespace kaori::performance {
 namespace {
 
-constexpr float kDialFrom = 0.01F;        // A dial turned this far takes the mouth.
+constexpr float kDialFrom = 0.01F;  // A dial turned this far takes the mouth.
+constexpr float kGivesWayFrom =
+    0.5F;  // Lips and voice, to a take of the layer over that has so much of the mouth.
 constexpr float kFollowLips_s = 0.012F;   // Lips are in time with a voice: hardly any smoothing.
 constexpr float kFollowVoice_s = 0.025F;  // What is heard is a guess, and trembles.
 constexpr float kFollowDial_s = 0.04F;
@@ -95,14 +97,20 @@ Goal FromOperator(State& state, const board::Snapshot& board, float dt_s) {
 // A dial that is off its rest has the mouth before all others. The operator's lips are followed meanwhile, so
 // that they take over without a jump when the dial is turned back.
 Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
-  const float hand = At(state.shown, Knob::kMouth);
-  const float width = At(state.shown, Knob::kMouthWidth);
-  const Goal from_operator = FromOperator(state, board, dt_s);
-  if (hand > kDialFrom || std::abs(width - 0.5F) > kDialFrom) return {hand, width, kFollowDial_s, true};
+  Goal from_operator = FromOperator(state, board, dt_s);
+  if (IsMouthByDial(state))
+    return {At(state.shown, Knob::kMouth), At(state.shown, Knob::kMouthWidth), kFollowDial_s, true};
+  const LayerNow& takes = state.layers[static_cast<std::size_t>(show::Level::kMouthOpen)];
+  from_operator.drives = from_operator.drives && takes.covers < kGivesWayFrom;
   return from_operator;
 }
 
 }  // namespace
+
+bool IsMouthByDial(const State& state) {
+  return At(state.shown, Knob::kMouth) > kDialFrom ||
+         std::abs(At(state.shown, Knob::kMouthWidth) - 0.5F) > kDialFrom;
+}
 
 // Two shares move with the speech: mouth_drive gives the expression's mouth away and adds the two shut
 // shapes; mouth_said adds the two open ones and is faster while the mouth is small. The shapes are weighted

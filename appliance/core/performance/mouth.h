@@ -8,6 +8,9 @@
 
 namespace kaori::performance {
 
+// Whether a dial that is off its rest has the mouth, before all others.
+bool IsMouthByDial(const State& state);
+
 // Moves state.mouth_* and adds the four mouth shapes, bilinear in height and width, to the channels. Sets
 // weights.mouth_given_away, the share of the expression's own mouth that gives way, 0..1. `channels` names
 // the cast's expressions of the four shapes, -1 for one that the show has not: that shape is left out.

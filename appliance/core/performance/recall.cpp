@@ -26,6 +26,7 @@ State Recalled(const State& kept, const board::Snapshot& board, Time presented_a
   if (state.cue_run.pending >= 0) state.cue_run.standby = state.cue_run.pending;
   state.cue_run = {.active = state.cue_run.active, .standby = state.cue_run.standby};
   state.voices = {};
+  state.layers = {};
   state.blink_s = State().blink_s;
   state.lids_held = {};
   state.black_wanted = state.black_called = 0;

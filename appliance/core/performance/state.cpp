@@ -12,6 +12,8 @@ constexpr float kFastTurn_rad_s = 1e4F;
 // and no head is so far from its rest, in metres: leaning in is 0.12.
 constexpr float kFarShift_m = 1;
 
+constexpr float kFarMove = kVoices * show::kWidestMotion;  // All voices together, as far as a motion may go.
+
 // False for NaN too: every comparison with it is.
 bool Within(std::initializer_list<float> values, float low, float high) {
   return std::ranges::all_of(values, [=](float v) { return v >= low && v <= high; });
@@ -126,6 +128,10 @@ bool IsValidClocks(const State& s) {
                 0, 1);
 }
 
+bool IsValidLayer(const LayerNow& now) {
+  return Within({now.under, now.over, now.has, now.covers}, 0, 1) && Within({now.moved}, 0, kFarMove);
+}
+
 // A motion of -1 is a free voice. One second more than the longest motion is what a last step may add.
 bool IsValidVoices(const State& s, const show::Show& show) {
   return std::ranges::all_of(s.voices, [&show](const Playing& v) {
@@ -147,8 +153,9 @@ bool IsValid(const State& state, const show::Show& show) {
          IsValidFading(state.cue_light, 1) && IsValidFading(state.present, 1) &&
          std::ranges::all_of(state.kept, [&](const Kept& kept) { return IsValidKept(kept, show); }) &&
          state.sheet < show::kSheetCount && IsValidCueRun(state.cue_run, show.cue_list) &&
-         IsValidVoices(state, show) && IsValidLife(state.life, show.gaze_targets.size()) &&
-         IsValidLobby(state.lobby, show) && (show.scenes.empty() || state.scene < show.scenes.size());
+         IsValidVoices(state, show) && std::ranges::all_of(state.layers, IsValidLayer) &&
+         IsValidLife(state.life, show.gaze_targets.size()) && IsValidLobby(state.lobby, show) &&
+         (show.scenes.empty() || state.scene < show.scenes.size());
 }
 
 }  // namespace kaori::performance

@@ -12,6 +12,7 @@
 #include "appliance/core/performance/input_events.h"
 #include "appliance/core/performance/kept.h"
 #include "appliance/core/performance/knobs.h"
+#include "appliance/core/performance/layers.h"
 #include "appliance/core/performance/level_state.h"
 #include "appliance/core/performance/life_state.h"
 #include "appliance/core/performance/lobby_state.h"
@@ -77,7 +78,7 @@ inline constexpr float kLongSinceGo_s = 3600;
 // StickNow::lost_s and go_quiet_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 17;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 18;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -111,6 +112,7 @@ struct State {
   std::array<float, 2> blink_s{10, 10};  // Since a blink began: the character's left, right.
   std::array<float, 2> lids_held{};
   std::array<Playing, kVoices> voices;
+  LayersNow layers;  // How takes that lie under or over hands have the levels.
   // What the face does by itself, and how its hair swings.
   Life life;
   Sway sway;

@@ -95,8 +95,7 @@ std::vector<std::string> TeachableCalls(const Items& items) {
   return calls;
 }
 
-// A name that is not there is told of with the nearest of all that could be meant.
-void ReadButton(toml::Section& section, const Items& items, std::vector<OwnButton>& buttons) {
+NamedButton ReadNamedButton(toml::Section& section) {
   section.AllowOnly({"device", "number", "call"});
   NamedButton named;
   if (section.Has("device"))
@@ -104,6 +103,12 @@ void ReadButton(toml::Section& section, const Items& items, std::vector<OwnButto
       named.device = static_cast<show::Device>(*device);
   const bool is_box = named.device == show::Device::kDialBox;
   named.number = section.WholeOr("number", 0, 1, is_box ? show::kButtonCount : show::kStickButtonCount);
+  return named;
+}
+
+// A name that is not there is told of with the nearest of all that could be meant.
+void ReadButton(toml::Section& section, const Items& items, std::vector<OwnButton>& buttons) {
+  const NamedButton named = ReadNamedButton(section);
   const std::string text = section.Text("call");
   const auto call = CallNamed(text, items);
   if (!call && !text.empty()) {
@@ -111,7 +116,6 @@ void ReadButton(toml::Section& section, const Items& items, std::vector<OwnButto
     section.Fault("call", fmt::format("\"{}\" is no call that the show has{}", text,
                                       toml::DidYouMean(text, {all.begin(), all.end()})));
   }
-  if (named.number < 1) return;  // A fault of the section already.
   const OwnButton button{ButtonNamed(named), call.value_or(show::Call())};
   if (std::ranges::find(buttons, button.button, &OwnButton::button) != buttons.end())
     return section.Fault("number", fmt::format("button {} is given twice", named.number));

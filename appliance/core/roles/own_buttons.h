@@ -40,6 +40,10 @@ std::string NameOf(const show::Call& call, const Items& items);
 // All that a button may be taught to call, in the order in which learn mode offers it. Pure.
 std::vector<std::string> TeachableCalls(const Items& items);
 
+// The button that `number`, from 1, and `device` of a [[button]] name; the dial box's where it names no device.
+// A number that the device has not is a fault of the section, and reads as 1.
+NamedButton ReadNamedButton(toml::Section& section);
+
 // Reads one [[button]] with its `number`, from 1, its `call` and its `device`, which is the dial box where none
 // is given, and adds it. What is wrong becomes a fault
 // of the section.

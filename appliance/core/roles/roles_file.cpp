@@ -102,7 +102,7 @@ struct WrittenFile {
 // `below`: the roles over which an overlay lies; null for the file of a show.
 WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items, const show::Roles* below) {
   const bool overlay = below != nullptr;
-  overlay ? file.AllowOnly({"handover_s", "role", "button"}) : file.AllowOnly({"handover_s", "role"});
+  file.AllowOnly({"handover_s", "role", "button"});
   WrittenFile written;
   if (overlay) written.mixes = below->mixes;
   LevelReader levels(items, written.mixes);
@@ -124,7 +124,7 @@ WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items
     if (!name.empty() && std::ranges::count_if(written.roles, is_same) > 1)
       named.Fault("name", fmt::format("the name \"{}\" is given twice", name));
   }
-  if (number == 0 && !overlay)
+  if (number == 0 && !overlay && !file.Has("button"))
     file.Fault("role", "there is none; without this file sticks and dials play what they usually do");
   CheckCounts(file, written.roles);
   if (!overlay) return written;
@@ -141,6 +141,10 @@ std::vector<std::string> ReadRolesFile(const std::filesystem::path& file, const 
   if (!value) return {value.error().message()};
   toml::Faults faults(file.string());
   WrittenFile written = ReadAll(toml::Section(*value, "", faults), faults, items, nullptr);
+  if (written.roles.empty()) {
+    roles.handover_s = written.handover_s.value_or(roles.handover_s);
+    return faults.lines();
+  }
   roles = {.handover_s = written.handover_s.value_or(show::Roles().handover_s),
            .roles = {},
            .mixes = std::move(written.mixes)};

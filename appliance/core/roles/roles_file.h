@@ -20,7 +20,8 @@ namespace kaori::roles {
 // a dial `per_turn` stands instead. A level may be one of the show's `items` too, "expression angry": how
 // much of it joins what was called. A curve is an exponent, or points [[0, 0], [0.5, 0.3], [1, 1]]. Blocks
 // for the disk. Returns everything that is wrong, as "file:line: item: reason" each; `roles` are then not to
-// be used.
+// be used. [[button]] is passed over: what it may call is known only where the whole show is (OwnButton). A file of
+// buttons alone leaves `roles` as they are.
 std::vector<std::string> ReadRolesFile(const std::filesystem::path& file, const Items& items,
                                        show::Roles& roles);
 

@@ -77,7 +77,10 @@ void CheckButtons(const Show& show, Faults& faults) {
     CheckCall(show, fmt::format("button {} of the second sheet", i + 1), show.second_buttons[i], faults);
   }
   for (std::size_t i = 0; i < show.stick_buttons.size(); ++i)
-    CheckCall(show, fmt::format("button {} of the sticks", i + 1), show.stick_buttons[i], faults);
+    CheckCall(
+        show,
+        fmt::format("button {} of the {}", i % kStickButtonCount + 1, kDeviceNames[i / kStickButtonCount]),
+        show.stick_buttons[i], faults);
 }
 
 // Roles may name them; a show whose roles name none has none.
@@ -164,6 +167,7 @@ void CheckLoop(const std::string& item, const Motion& motion, Faults& faults) {
 void CheckMotion(const Show& show, const Motion& motion, Faults& faults) {
   const std::string item = fmt::format("motion \"{}\"", motion.name);
   CheckKey(item, motion.key_usage, faults);
+  if (motion.layer > MotionLayer::kOver) faults.push_back(item + ": its layer is not known");
   for (const MotionCurve& curve : motion.curves) CheckCurve(show, motion, curve, faults);
   CheckLoop(item, motion, faults);
   CheckSound(item, motion.sound, faults);

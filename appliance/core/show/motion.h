@@ -1,9 +1,11 @@
 // A registered motion: curves over time, added to head, gaze and channels.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kaori::show {
@@ -43,8 +45,16 @@ struct Sound {
   int channels = 1;                   // 1, or 2: left and right side by side.
   std::vector<std::int16_t> samples;  // Whole frames; none: no sound.
 };
-// Called by a key, a button or a cue; while others play they fade out, and this one adds its curves to what
-// the operators move.
+// Where a motion lies beside the others who have the same levels (show::Level); performance/layers.h has the order.
+enum class MotionLayer : std::uint8_t {
+  kAdd,    // It is added to whoever has them.
+  kUnder,  // It plays where no hand, no remote control and no lips have them.
+  kOver,   // It plays in place of a remote control, lips and voice; a hand has them at once all the same.
+};
+inline constexpr std::array<std::string_view, 3> kMotionLayerNames{"add", "under", "over"};
+
+// Called by a key, a button or a cue; while others play they fade out, and this one plays its curves beside
+// what the operators move, as its layer says.
 struct Motion {
   std::string name;
   // HID keyboard usage that plays it; 0: no key does.
@@ -58,6 +68,7 @@ struct Motion {
   // value, until something ends it. Both 0: it plays once.
   float loop_from_s = 0;
   float loop_to_s = 0;
+  MotionLayer layer = MotionLayer::kAdd;
 
   bool Loops() const { return loop_to_s > loop_from_s; }
 };

@@ -139,7 +139,8 @@ Motion ReadMotion(Copier& from, const pack::Motion& stored) {
           .sound = ReadSound(from, stored),
           .recorded = stored.recorded(),
           .loop_from_s = stored.loop_from_s(),
-          .loop_to_s = stored.loop_to_s()};
+          .loop_to_s = stored.loop_to_s(),
+          .layer = static_cast<MotionLayer>(Narrow<std::uint8_t>(stored.layer()))};
 }
 
 // A scene of a pack from before scenes had amounts of life lives as people do.
@@ -177,12 +178,16 @@ GazeTarget ReadTarget(Copier& from, const pack::GazeTarget& stored) {
 }
 
 // One list holds the buttons of both sheets, the second behind the first; a pack that ends with the first
-// leaves the second empty. Counts are bounded, since a forged list may be as long as the file.
+// leaves the second empty, and one of before stick buttons those. Counts are bounded, since a forged list may be as long as the file.
 void ReadControls(const pack::Pack& stored, Show& show) {
   if (stored.buttons() != nullptr)
     for (flatbuffers::uoffset_t i = 0; i < stored.buttons()->size() && i < 2 * kButtonCount; ++i)
       (i < kButtonCount ? show.buttons[i] : show.second_buttons[i - kButtonCount]) =
           HeldCall(*stored.buttons()->Get(i));
+  if (stored.stick_buttons() != nullptr)
+    for (flatbuffers::uoffset_t i = 0; i < stored.stick_buttons()->size() && i < show.stick_buttons.size();
+         ++i)
+      show.stick_buttons[i] = HeldCall(*stored.stick_buttons()->Get(i));
   if (stored.keys() == nullptr) return;
   for (flatbuffers::uoffset_t i = 0; i < stored.keys()->size() && i < kKeyUsages; ++i) {
     const pack::KeyCall* key = stored.keys()->Get(i);

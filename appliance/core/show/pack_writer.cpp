@@ -149,7 +149,7 @@ Offset<pack::Motion> Write(FlatBufferBuilder& to, const Motion& motion) {
   const auto sound = to.CreateVector(motion.sound.samples);
   return pack::CreateMotion(to, name, motion.key_usage, curves,
                             static_cast<std::uint32_t>(motion.sound.channels), sound, motion.recorded,
-                            motion.loop_from_s, motion.loop_to_s);
+                            motion.loop_from_s, motion.loop_to_s, static_cast<std::uint32_t>(motion.layer));
 }
 
 Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene) {
@@ -196,12 +196,13 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto face_fades = Structs<pack::ItemFade>(to, show.face_fades);
   const auto expression_fades = Structs<pack::ItemFade>(to, show.expression_fades);
   const auto lobby = WriteLobby(to, show.lobby);
+  const auto stick_buttons = to.CreateVectorOfStructs(StoredCalls(show.stick_buttons));
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, motions, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
                           show.channels.lids_down, mouth, blink, keys, cue_list, roles, gaze_targets,
-                          face_fades, expression_fades, lobby);
+                          face_fades, expression_fades, lobby, stick_buttons);
 }
 
 }  // namespace

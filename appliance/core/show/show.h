@@ -67,7 +67,7 @@ struct Show {
   // By the number of the button, from 0; kNothing for one that calls nothing. The buttons have two sheets,
   // between which calls of CallKind::kSheet change.
   std::array<Call, kButtonCount> buttons{}, second_buttons{};
-  // Of the left stick, then of the right one; only a box's own roles.toml fills them.
+  // Of the left stick, then of the right one; the roles.toml of the show fills them, and that of the box.
   std::array<Call, std::size_t{2} * kStickButtonCount> stick_buttons{};
   // By the indices of the cast; items behind their ends have none of their own.
   std::vector<ItemFade> face_fades, expression_fades;

@@ -11,6 +11,7 @@ import {makeKeys} from './keys.js';
 import {makeLearn} from './learn.js';
 import {makeLips} from './lips.js';
 import {makeMidi} from './midi.js';
+import {makeMonitor} from './monitor.js';
 import {makeRoles} from './roles.js';
 import {makeSound} from './sound.js';
 import {makeStick} from './sticks.js';
@@ -87,6 +88,7 @@ async function begin() {
   makeKeys($('keys'), labels.keys);
   makeCues($('cues'), labels);
   makeStandby($('lines'), labels);
+  makeMonitor($('monitor'));
   makeRoles($('roles'), labels);
   makeCheck($('check'));
   makeLearn($('learn'), labels);

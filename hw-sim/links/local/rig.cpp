@@ -66,6 +66,7 @@ Rig::Rig(RigOptions options, const Clock& clock)
       context_{clock, {}},
       devices_(context_, {options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}),
       screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()),
+      monitor_(options_.folder),
       loudspeaker_(context_) {}
 
 // Takes the sockets away: a socket without a listener would look like a device that refuses.

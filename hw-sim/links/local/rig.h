@@ -17,6 +17,7 @@
 #include "hw-sim/devices/loudspeaker.h"
 #include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/screen.h"
+#include "hw-sim/links/local/monitor_screen.h"
 
 namespace kaori::sim {
 
@@ -71,6 +72,8 @@ class Rig final : public DeviceRig {
   Pointer& pointer() { return devices_.pointer; }
   LipCamera& camera() { return devices_.camera; }
   Screen& screen() { return screen_; }
+  // Out at first; no action plugs it.
+  MonitorScreen& monitor() { return monitor_; }
   LinePanel& lines() { return devices_.lines; }
   Microphone& microphone() { return devices_.microphone; }
   Loudspeaker& loudspeaker() { return loudspeaker_; }
@@ -118,6 +121,7 @@ class Rig final : public DeviceRig {
   DeviceContext context_;
   InputDevices devices_;
   Screen screen_;
+  MonitorScreen monitor_;
   Loudspeaker loudspeaker_;
   UniqueFd lock_;  // On the folder.
   // Of all sockets and the timer.

@@ -75,6 +75,22 @@ TEST_F(TakesFolder, GiveMotionsThatKeysButtonsAndCuesCall) {
   EXPECT_EQ(show_.cue_list.cues[2].motion, 0);
 }
 
+TEST_F(TakesFolder, LieUnderOrOverWhatIsPlayedLiveOrAreAddedToIt) {
+  Write("takes/sway.toml", std::string("layer = \"under\"\n") + kTake);
+  Write("takes/turn.toml", std::string("layer = \"over\"\n") + kTake);
+  Write("takes/wave.toml", kTake);
+  Write("show.toml", std::string(kShow) + "layer = \"under\"\n");
+  EXPECT_THAT(Read(), IsEmpty());
+  ASSERT_EQ(show_.motions.size(), 4U);
+  using show::MotionLayer;
+  EXPECT_EQ(show_.motions[0].layer, MotionLayer::kUnder) << "a motion that is written may lie so too";
+  EXPECT_EQ(show_.motions[1].layer, MotionLayer::kUnder);
+  EXPECT_EQ(show_.motions[2].layer, MotionLayer::kOver);
+  EXPECT_EQ(show_.motions[3].layer, MotionLayer::kAdd);
+  Write("takes/turn.toml", std::string("notes = \"x\"\nlayer = \"below\"\n") + kTake);
+  EXPECT_THAT(Read(), ElementsAre(HasSubstr("turn.toml:2: layer: \"below\" is none of add, under, over")));
+}
+
 TEST_F(TakesFolder, AreWrittenAsTheyAreReadToTheBit) {
   Take take = WaveOf(3);
   take.curves.push_back(

@@ -21,6 +21,7 @@ inline show::Show SmallShow() {
   show.cast.textures = {{2, 2, std::vector<std::uint8_t>(16, 200)}};
   show.buttons[3] = {show::CallKind::kFace, 2};
   show.second_buttons[4] = {show::CallKind::kExpression, 1, show::CallMode::kToggle};
+  show.stick_buttons[show::kStickButtonCount + 1] = {show::CallKind::kGoTo, 1};
   show.keys = {{0x14, {show::CallKind::kStyle, 1}},
                {0x15, {show::CallKind::kFace, 1, show::CallMode::kMomentary}}};
   show.face_fades = {{}, {.in_s = 0, .out_s = 90, .curve = show::FadeCurve::kSlowEnd}};

@@ -1,10 +1,13 @@
-// Takes in show packs: what goes in comes out, and a loop that would jump is refused.
+// Takes in show packs, and fields that packs of before have not: what goes in comes out, and a loop that would jump is
+// refused.
 #include <gmock/gmock.h>
 
 #include <limits>
 
 #include "appliance/core/show/check.h"
 #include "appliance/core/show/pack.h"
+#include "appliance/core/show/pack_content.h"
+#include "appliance/core/show/pack_layout.h"
 #include "tests/appliance/core/pack_fixture.h"
 
 namespace kaori::tests {
@@ -29,6 +32,7 @@ show::Motion Sway() {
 TEST_F(PackOfTakes, ComesOutAsItWentInWithWhatCallsAndEndsThem) {
   Show show = SmallShow();
   show.motions.push_back(Sway());
+  show.motions[1].layer = show::MotionLayer::kUnder;
   show.buttons[5] = {show::CallKind::kMotion, 1};
   show.cue_list.cues[0].motion = show::kEndsMotion;
   ASSERT_THAT(CheckShow(show), ::testing::IsEmpty());
@@ -39,10 +43,28 @@ TEST_F(PackOfTakes, ComesOutAsItWentInWithWhatCallsAndEndsThem) {
   EXPECT_EQ(take.loop_from_s, 1);
   EXPECT_EQ(take.loop_to_s, 3);
   EXPECT_EQ(take.curves.at(0).target, show::MotionTarget::kHeadLean);
+  EXPECT_EQ(take.layer, show::MotionLayer::kUnder);
+  EXPECT_EQ(loaded->motions[0].layer, show::MotionLayer::kAdd) << "as in packs of before";
   EXPECT_FALSE(loaded->motions[0].recorded);
   EXPECT_FALSE(loaded->motions[0].Loops()) << "as in packs of before";
   EXPECT_EQ(loaded->buttons[5], (show::Call{show::CallKind::kMotion, 1}));
   EXPECT_EQ(loaded->cue_list.cues.at(0).motion, show::kEndsMotion);
+}
+
+using PackOfBefore = PackTest;
+
+// As an earlier program wrote it: the table of the show has no such field.
+TEST_F(PackOfBefore, ButtonsOfSticksPlaysAsItDid) {
+  std::vector<std::uint8_t> content = show::EncodeContent(SmallShow());
+  const pack::Pack* const stored = pack::GetPack(content.data());
+  const auto* const table = reinterpret_cast<const flatbuffers::Table*>(stored);
+  const auto at =
+      static_cast<std::size_t>(table->GetVTable() - content.data()) + pack::Pack::VT_STICK_BUTTONS;
+  content.at(at) = content.at(at + 1) = 0;
+  const auto loaded = show::DecodeContent(content);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_EQ(loaded->stick_buttons, Show().stick_buttons);
+  EXPECT_EQ(loaded->buttons, SmallShow().buttons);
 }
 
 TEST(CheckTakes, RefusesALoopThatJumpsOrHasASoundOrIsNone) {
@@ -60,6 +82,8 @@ TEST(CheckTakes, RefusesALoopThatJumpsOrHasASoundOrIsNone) {
   EXPECT_THAT(fault_of([](show::Motion& m) { m.loop_to_s = 1.25F; }), HasSubstr("is none of 0.5 s or more"));
   EXPECT_THAT(fault_of([](show::Motion& m) { m.loop_from_s = std::numeric_limits<float>::quiet_NaN(); }),
               HasSubstr("its loop from nan to 3 s"));
+  EXPECT_THAT(fault_of([](show::Motion& m) { m.layer = static_cast<show::MotionLayer>(3); }),
+              HasSubstr("its layer is not known"));
   EXPECT_THAT(fault_of([](show::Motion& m) { m.curves[0].keys.pop_back(); }),
               HasSubstr("must start and end at 0"));
 }

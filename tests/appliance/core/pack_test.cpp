@@ -32,6 +32,7 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->cast.expressions[1].displacement, show.cast.expressions[1].displacement);
   EXPECT_EQ(loaded->cast.topology.lids[1].upper, show.cast.topology.lids[1].upper);
   EXPECT_EQ(loaded->buttons[3].index, 2);
+  EXPECT_EQ(loaded->stick_buttons, show.stick_buttons);
   ASSERT_EQ(loaded->keys.size(), 2U);
   EXPECT_EQ(loaded->keys[0].key_usage, 0x14);
   EXPECT_EQ(loaded->keys[0].call.kind, show::CallKind::kStyle);
