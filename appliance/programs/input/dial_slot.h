@@ -2,12 +2,12 @@
 // Firmware of our own box: firmware/wire has the bytes of its reports.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "appliance/core/board/board.h"
+#include "appliance/programs/input/deck_pictures.h"
 #include "appliance/programs/input/device_slot.h"
 #include "appliance/programs/input/surface_map.h"
 #include "appliance/programs/input/surface_section.h"
@@ -37,9 +37,8 @@ class DialSlot final : public DeviceSlot {
   // Sends one output report where the lamps on the board differ from those that the box was last told, and
   // one each second.
   void ShowLamps(Time now, ports::HidChannel& device);
-  // Reads the pictures of a Stream Deck's keys, and sends one page of them at each tick.
-  void LoadPictures(const ports::HidIdentity& identity);
-  void ShowPictures(ports::HidChannel& device);
+  // What the board says of each key of a Stream Deck.
+  DeckPictures::Keys DeckKeys() const;
 
   const board::Board& board_;
   SurfaceSection& section_;
@@ -56,7 +55,8 @@ class DialSlot final : public DeviceSlot {
   Time told_{};                       // And when.
   Time lamps_after_{};                // No lamp report is sent before this time.
   int lamp_failures_ = 0;             // Since the plug.
-  std::deque<std::vector<std::uint8_t>> pages_;  // Of pictures that are not sent yet.
+  decode::StreamDeck deck_{};         // 0 keys: it is none.
+  DeckPictures pictures_;
   // When the box was plugged in, from which kHeldStateTrust counts.
   Time plugged_{};
   bool held_confirmed_ = true;  // False while held buttons are known only from before the plug.
