@@ -117,6 +117,10 @@ std::vector<Check> ScreenChecks();
 std::vector<Check> PlayChecks();
 // What every input device says arrives on the board, and lamps are lit.
 std::vector<Check> InputChecks();
+// Surfaces that people own, by their twins.
+std::vector<Check> SurfaceChecks();
+// Serial dial boxes of 1993, and dials on GPIO lines.
+std::vector<Check> DialLineChecks();
 // Cables are pulled and plugged in any order.
 std::vector<Check> CableChecks();
 // The lip camera by our own driver.
