@@ -7,11 +7,17 @@
 namespace kaori::sim {
 namespace {
 
-// Descriptors that these devices send. The dials' own say little that is of use: a vendor's usages and bytes.
-constexpr auto kVague = std::to_array<std::uint8_t>({
-    0x05, 0x0C, 0x09, 0x01, 0xA1, 0x01, 0x06, 0x00, 0xFF, 0x09, 0x01, 0x15, 0x00, 0x26, 0xFF, 0x00,  //
-    0x75, 0x08, 0x95, 0x06, 0x81, 0x02, 0xC0,
-});
+// Descriptors that these devices send. The dials' own say little that is of use: a vendor's usages and bytes. Their length is
+// right, since Linux gives nobody a report that is shorter than its descriptor says.
+template <std::uint8_t kBytes>
+constexpr auto VagueDescriptor() {
+  return std::to_array<std::uint8_t>({
+      0x05, 0x0C, 0x09, 0x01, 0xA1, 0x01, 0x06, 0x00,   0xFF, 0x09, 0x01, 0x15,
+      0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, kBytes, 0x81, 0x02, 0xC0,
+  });
+}
+constexpr auto kVagueKnob = VagueDescriptor<6>();
+constexpr auto kVagueShuttle = VagueDescriptor<5>();
 // X, Y 10 bits, hat 4, twist 8, 8 buttons, slider 8, 4 buttons.
 constexpr auto kExtreme3d = std::to_array<std::uint8_t>({
     0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0xA1, 0x02, 0x09, 0x30, 0x09, 0x31, 0x15, 0x00, 0x26, 0xFF,
@@ -51,9 +57,9 @@ OwnedDevice::OwnedDevice(OwnedKind kind) : kind_(kind) {}
 HidDeviceName OwnedDevice::device_name() const {
   switch (kind_) {
     case OwnedKind::kPowerMate:
-      return {0x077D, 0x0410, "Griffin PowerMate", kVague};
+      return {0x077D, 0x0410, "Griffin PowerMate", kVagueKnob};
     case OwnedKind::kShuttlePro:
-      return {0x0B33, 0x0030, "Contour Design ShuttlePRO v2", kVague};
+      return {0x0B33, 0x0030, "Contour Design ShuttlePRO v2", kVagueShuttle};
     case OwnedKind::kExtreme3dPro:
       return {0x046D, 0xC215, "Logitech Extreme 3D Pro", kExtreme3d};
     case OwnedKind::kAttack3:

@@ -20,6 +20,9 @@ constexpr std::uint8_t kModemStatus = 0x31, kLineStatus = 0x60;
 constexpr std::uint8_t kUsualLatency_ms = 16;
 constexpr std::uint16_t kSerialPacketBytes = 64;  // Bulk at full speed.
 constexpr std::size_t kStatusBytes = 2;
+// Four bytes at 9600 baud; and of more than this a part is sent before.
+constexpr Duration kCollects = std::chrono::microseconds(4170);
+constexpr std::size_t kMostCollected = 60;
 constexpr double kClockHz = 3e6;
 constexpr double kMostApart = 0.03;  // Of two speeds that still understand each other.
 
@@ -76,6 +79,10 @@ std::optional<UsbBytes> UsbSerial::Answer(const UsbSetup& setup, std::span<const
   return UsbBytes{};
 }
 
+bool UsbSerial::is_ready(Time now) const {
+  return come_.size() >= kMostCollected || (!come_.empty() && now - came_at_ >= kCollects);
+}
+
 bool UsbSerial::fits() const {
   return is_8n1_ && std::abs(baud_ - box_.baud()) < kMostApart * box_.baud();
 }
@@ -89,10 +96,13 @@ std::optional<UsbBytes> UsbSerial::NextIn(std::uint8_t endpoint, std::size_t roo
   if (endpoint != kIn || room_bytes <= kStatusBytes) return std::nullopt;
   box_.Receive(sent_, now);
   sent_.clear();
-  for (const std::uint8_t byte : box_.Send(now)) come_.push_back(fits() ? byte : Spoilt(byte));
+  for (const std::uint8_t byte : box_.Send(now)) {
+    come_.push_back(fits() ? byte : Spoilt(byte));
+    came_at_ = now;
+  }
+  if (!is_ready(now)) return std::nullopt;
   const std::size_t room = std::min<std::size_t>(room_bytes, kSerialPacketBytes - 1) - kStatusBytes;
   const auto end = come_.begin() + static_cast<std::ptrdiff_t>(std::min(come_.size(), room));
-  if (end == come_.begin()) return std::nullopt;
   UsbBytes data{kModemStatus, kLineStatus};
   data.insert(data.end(), come_.begin(), end);
   come_.erase(come_.begin(), end);
@@ -100,8 +110,10 @@ std::optional<UsbBytes> UsbSerial::NextIn(std::uint8_t endpoint, std::size_t roo
 }
 
 std::optional<Time> UsbSerial::next_due(Time now) const {
-  if (!sent_.empty() || !come_.empty()) return now;
-  return box_.next_due();
+  if (!sent_.empty() || is_ready(now)) return now;
+  const auto due = box_.next_due();
+  if (come_.empty()) return due;
+  return due ? std::min(*due, came_at_ + kCollects) : came_at_ + kCollects;
 }
 
 void UsbSerial::PowerCycle() {

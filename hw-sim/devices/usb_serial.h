@@ -8,7 +8,9 @@ namespace kaori::sim {
 
 // An FT232R: its requests set speed and format of the line, and each packet to the host begins with two bytes
 // that say how the line stands. Where the host sets another speed or format than the box has, bytes arrive
-// spoilt both ways, as at a pseudo-terminal (hw-sim/links/serial). Full speed. One thread.
+// spoilt both ways, as at a pseudo-terminal (hw-sim/links/serial). What comes from the line is collected until it was silent for four
+// bytes' time, so that a machine that is emulated, and slow, sees a message in one piece: the real part does so where a host
+// sets its latency timer long. Full speed. One thread.
 class UsbSerial final : public UsbDevice {
  public:
   // Addresses of the endpoints; bit 7 is towards the host.
@@ -31,14 +33,17 @@ class UsbSerial final : public UsbDevice {
   void PowerCycle() override;
 
  private:
+  // Whether what came may go to the host.
+  bool is_ready(Time now) const;
   bool fits() const;  // The line is set as the box is.
 
   SerialDialBox& box_;
   UsbDescriptors descriptors_;
   double baud_ = 0;
   bool is_8n1_ = false;
-  UsbBytes sent_;  // By the host, until a time is known at which the box gets it.
-  UsbBytes come_;  // From the box, until a host takes it.
+  UsbBytes sent_;   // By the host, until a time is known at which the box gets it.
+  UsbBytes come_;   // From the box, until a host takes it.
+  Time came_at_{};  // The last byte of it.
 };
 
 }  // namespace kaori::sim

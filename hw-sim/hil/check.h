@@ -68,6 +68,10 @@ struct Scene {
   // Waits until a face is on the screen of output `head`, and moves. Errors: timed_out.
   Result<void> AwaitMovingFace(int head, Duration longest);
 
+  // The board once all that was done has arrived: two looks, a second apart, see the same dials and pushes. Errors:
+  // those of the board.
+  Result<BoardView> SettledBoard();
+
   // Wants that the stage has not ended since power came. Errors: invalid_argument (it has), those of the
   // agent.
   Result<void> WantNoRestart();

@@ -71,17 +71,25 @@ Result<std::string> SerialLine(Scene& scene) {
   return line;
 }
 
-// A box tells where its dials stand by their first turns, which move nothing.
+// A box tells where its dials stand by their first turns, which move nothing: each is turned until it moves.
 Result<void> WakeDials(Scene& scene, sim::SerialDialBox& box) {
-  const auto live = [](const BoardView& board) { return board.surface_live; };
-  if (auto ok = WantBoard(scene, live, "the serial box"); !ok) return tl::unexpected(ok.error());
-  for (const int dial : {0, 7}) box.Turn(dial, 1);
-  scene.target.For(seconds(3));
+  for (const int dial : {0, 7}) {
+    const auto n = static_cast<std::size_t>(dial);
+    const auto before = scene.target.Board();
+    if (!before) return tl::unexpected(before.error());
+    Time again{};
+    const auto moved = [&](const BoardView& now) {
+      const Time at = scene.target.clock().now();
+      if (at >= again) box.Turn(dial, 1), again = at + seconds(2);
+      return now.surface_live && now.counts[n] != before->counts[n];
+    };
+    if (auto ok = WantBoard(scene, moved, "a turn of the serial box"); !ok) return tl::unexpected(ok.error());
+  }
   return {};
 }
 
 Result<void> TurnAndPush(Scene& scene, sim::SerialDialBox& box, Kind kind) {
-  const auto before = scene.target.Board();
+  const auto before = scene.SettledBoard();
   if (!before) return tl::unexpected(before.error());
   box.Turn(0, 128);
   box.Turn(7, -256);
@@ -104,7 +112,7 @@ Result<void> TurnAndPush(Scene& scene, sim::SerialDialBox& box, Kind kind) {
 
 // The adapter is pulled: the box says so once, and goes on when it is back; nothing jumps.
 Result<void> PullAndPlug(Scene& scene, HeldDevice& adapter) {
-  const auto before = scene.target.Board();
+  const auto before = scene.SettledBoard();
   if (!before) return tl::unexpected(before.error());
   adapter.Pull();
   if (auto ok = WantBoard(
@@ -174,8 +182,7 @@ Result<void> PlayGpioDials(Scene& scene, bool crossed) {
   const auto live = WantBoard(
       scene, [](const BoardView& now) { return now.surface_live; }, "the dials");
   if (!live) return tl::unexpected(live.error());
-  scene.target.For(seconds(2));
-  const auto before = scene.target.Board();
+  const auto before = scene.SettledBoard();
   if (!before) return tl::unexpected(before.error());
   if (auto ok = AskOfDials(scene, fmt::format("dials turn {} {}", kPause_us, edges)); !ok)
     return tl::unexpected(ok.error());

@@ -78,9 +78,8 @@ Result<void> Play(Scene& scene, Played played) {
     return board && played.wake.seen(*before, *board);
   };
   if (!scene.target.Await(woke, kLongestFindSurface, played.name)) return NotSeen(played, played.wake.name);
-  scene.target.For(kTryAgain);  // All that was done meanwhile has arrived.
   for (const SurfaceAction& action : played.actions) {
-    const auto stands = scene.target.Board();
+    const auto stands = scene.SettledBoard();
     if (!stands) return tl::unexpected(stands.error());
     action.act();
     const auto seen = [&](const BoardView& now) { return action.seen(*stands, now); };

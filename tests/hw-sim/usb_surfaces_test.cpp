@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "drivers/decode/report_layout.h"
 #include "firmware/wire/bytes.h"
+#include "hw-sim/devices/owned_device.h"
 #include "hw-sim/devices/stream_deck.h"
 #include "hw-sim/devices/usb_descriptors.h"
 #include "hw-sim/devices/usb_hid.h"
@@ -54,6 +56,19 @@ TEST(UsbStreamDeck, PagesOutOfOrderAndOfKeysThatThereAreNotAreWrong) {
   deck.HandleOutput(page);
   deck.HandleOutput(std::span(page).first(512));
   EXPECT_EQ(deck.wrong_pages(), 3);
+}
+
+// Linux passes on no report that is shorter than the descriptor says.
+TEST(UsbHid, OwnedDevicesSendReportsOfTheLengthThatTheirDescriptorsSay) {
+  for (const OwnedKind kind : {OwnedKind::kPowerMate, OwnedKind::kShuttlePro, OwnedKind::kExtreme3dPro,
+                               OwnedKind::kAttack3, OwnedKind::kT16000m}) {
+    OwnedDevice device(kind);
+    const auto layout = decode::ReadReportLayout(device.device_name().descriptor);
+    ASSERT_TRUE(layout);
+    const auto* const shape = layout->Find(decode::ReportKind::kInput, 0);
+    ASSERT_NE(shape, nullptr);
+    EXPECT_EQ(device.Standing().size(), shape->bytes()) << device.device_name().name;
+  }
 }
 
 TEST(UsbMidi, MessagesAreEventsOfFourBytesWithTheClockInBetween) {
@@ -123,12 +138,14 @@ TEST(UsbSerial, CarriesWhatTheBoxSaysBehindTwoBytesOfStatus) {
   SetLine(usb, 0x4138);
   box.Turn(2, 5);
   EXPECT_FALSE(usb.NextIn(UsbSerial::kIn, 512, Time{})) << "its bytes are still on the line";
+  EXPECT_FALSE(usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(4))) << "the line may go on";
   const auto data = usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(10));
   ASSERT_TRUE(data);
-  EXPECT_THAT(*data, ElementsAre(0x31, 0x60, 0x82, 0, 5));
+  EXPECT_THAT(*data, ElementsAre(0x31, 0x60, 0x82, 0, 5)) << "in one piece";
   for (int n = 0; n < 40; ++n) box.Turn(2, 5);
   static_cast<void>(usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(20)));
-  const auto full = usb.NextIn(UsbSerial::kIn, 512, Time{} + std::chrono::seconds(1));
+  const auto full =
+      usb.NextIn(UsbSerial::kIn, 512, Time{} + std::chrono::seconds(1));  // More than sixty bytes have come.
   ASSERT_TRUE(full);
   EXPECT_LT(full->size(), 64U) << "a packet of 64 bytes would not end what the host reads";
 }
@@ -140,7 +157,8 @@ TEST(UsbSerial, AHostIsHeardWithTheNextLookAtTheLine) {
   usb.HandleOut(UsbSerial::kOut, UsbBytes{0x20});
   EXPECT_EQ(usb.next_due(Time{} + milliseconds(1)), Time{} + milliseconds(1));
   EXPECT_FALSE(usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(1)));
-  const auto answer = usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(400));
+  static_cast<void>(usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(400)));
+  const auto answer = usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(410));
   ASSERT_TRUE(answer);
   EXPECT_THAT(*answer, ElementsAre(0x31, 0x60, 0x20));
 }
@@ -151,6 +169,7 @@ TEST(UsbSerial, OfAnotherSpeedBytesArriveSpoiltAndTheBoxHearsNothing) {
   SetLine(usb, 0x809C);
   box.Turn(2, 5);
   static_cast<void>(usb.NextIn(UsbSerial::kIn, 512, Time{}));
+  static_cast<void>(usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(4)));
   const auto data = usb.NextIn(UsbSerial::kIn, 512, Time{} + milliseconds(10));
   ASSERT_TRUE(data);
   EXPECT_NE((*data)[2], 0x82);

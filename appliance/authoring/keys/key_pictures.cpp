@@ -20,7 +20,7 @@ namespace {
 // A scene is drawn once, many times larger than any key, and averaged for each size: a key's points are few.
 constexpr int kDrawn_px = 480;
 // Of a key's height.
-constexpr float kNameHeight = 0.16F, kTileTextHeight = 0.2F, kFrameWidth = 0.05F;
+constexpr float kNameHeight = 0.15F, kTileTextHeight = 0.18F, kFrameWidth = 0.05F;
 // What is not on is seen, and far from what is.
 constexpr float kDimmed = 0.45F;
 constexpr std::array<std::uint8_t, 3> kGround{28, 31, 39}, kFrameColour{255, 178, 64};
@@ -87,12 +87,13 @@ class KeyPainter {
   image::Picture Paint(int side_px) {
     if (drawn_.rgbx.empty()) return Tile(text_, side_px);
     image::Picture picture = Averaged(drawn_, side_px);
-    // A band below, so that the name can be read over any face.
-    const int size = Part(kNameHeight, side_px), band = lettering_.height_px(size);
+    // A band below, so that the name can be read over any face, and above the frame, which would cover it.
+    const int size = Part(kNameHeight, side_px), frame = Part(kFrameWidth, side_px);
+    const int band = lettering_.height_px(size) + frame;
     for (int y = 0; y < band; ++y)
       for (int x = 0; x < side_px; ++x)
         for (int colour = 0; colour < 3; ++colour) At(picture, x, y)[colour] /= 4;
-    Write(text_, size, 0, picture);
+    Write(text_, size, frame, picture);
     return picture;
   }
 
@@ -102,7 +103,7 @@ class KeyPainter {
     image::Picture picture = Filled(side_px);
     const int size = Part(kTileTextHeight, side_px), line = lettering_.height_px(size);
     const std::size_t blank = text.find(' ');
-    if (blank == std::string::npos || lettering_.width_px(text, size) <= side_px) {
+    if (blank == std::string::npos || lettering_.width_px(text, size) <= RoomOf(side_px)) {
       Write(text, size, (side_px - line) / 2, picture);
     } else {
       Write(text.substr(0, blank), size, side_px / 2, picture);
@@ -111,9 +112,12 @@ class KeyPainter {
     return picture;
   }
 
+  // Between the sides of the frame.
+  static int RoomOf(int side_px) { return side_px - 2 * Part(kFrameWidth, side_px); }
+
   // In the middle of the row that begins at `y_px`.
   void Write(const std::string& text, int size_px, int y_px, image::Picture& into) {
-    const std::string fits = image::Shorten(lettering_, text, size_px, into.width_px);
+    const std::string fits = image::Shorten(lettering_, text, size_px, RoomOf(into.width_px));
     lettering_.Draw(fits, {.size_px = size_px}, (into.width_px - lettering_.width_px(fits, size_px)) / 2,
                     y_px, into);
   }
