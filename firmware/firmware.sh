@@ -17,14 +17,14 @@ build_firmware() {
 prove_firmware() {
   need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${FIRMWARE_TEST_PACKAGES[@]}"
   need_node
-  build release test-surface test-surface-update test-decode
+  build release test-surface test-surface-update test-decode test-input
   local figures=$PWD/$FIRMWARE/figures.txt
   mkdir -p $FIRMWARE
   : >"$figures"
   KAORI_FIRMWARE_FIGURES=$figures KAORI_FIRMWARE_EFFORT=$1 \
     ctest --test-dir $BUILD --output-on-failure --no-tests=error --timeout 7200 -R '^(surface|surface-update|chip):|^decode: (SerialDials|Quadrature)' ||
     fail "a proof failed; it is named above"
-  python3 -B firmware/figures.py "$figures" $FIRMWARE/sizes.json out/firmware.json
+  tests/hil/firmware_report.py "$figures" $FIRMWARE/sizes.json out/boot.json $LOGS/fuzz-usb_device.log $BIN/test-input out/firmware.json
 }
 
 firmware() {

@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-atelier");
   // A file that may not grow (RLIMIT_FSIZE) is an error like a full disk, not our end.
   std::signal(SIGXFSZ, SIG_IGN);
-  const std::array verbs{PackVerb(),   CheckVerb(),  InfoVerb(), DiffVerb(),   SheetVerb(),  CueSheetVerb(),
-                         LabelsVerb(), KeygenVerb(), SignVerb(), ImportVerb(), ReportVerb(), VerbOfTakes()};
+  const std::array verbs{PackVerb(),     CheckVerb(),  InfoVerb(),   DiffVerb(),   SheetVerb(),
+                         CueSheetVerb(), LabelsVerb(), KeysVerb(),   KeygenVerb(), SignVerb(),
+                         ImportVerb(),   ReportVerb(), VerbOfTakes()};
   return Dispatch(verbs, std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1));
 }

@@ -44,6 +44,13 @@ constexpr auto kDeck15 = DeckDescriptor<15>();
 constexpr auto kDeck32 = DeckDescriptor<32>();
 constexpr auto kDeck8 = DeckDescriptor<8>();
 
+// 17 bytes of a Mini: report 01, a byte for each of six keys, padding.
+constexpr auto kDeckMini = std::to_array<std::uint8_t>({
+    0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x85, 0x01,              // Vendor FF00, report 1
+    0x05, 0x09, 0x19, 0x01, 0x29, 0x06, 0x15, 0x00, 0x25, 0x01,        // Buttons 1..6
+    0x75, 0x08, 0x95, 0x06, 0x81, 0x02, 0x95, 0x0A, 0x81, 0x01, 0xC0,  // a byte each, 10 bytes of padding
+});
+
 // 8 bytes: a bit for each modifier, padding, and the usages of up to six keys.
 constexpr auto kBootKeyboard = std::to_array<std::uint8_t>({
     0x05, 0x01, 0x09, 0x06, 0xA1, 0x01,                          // Keyboard
@@ -62,8 +69,8 @@ struct Known {
 };
 
 // PowerMate, and two devices that report as it does; ShuttleXpress, ShuttlePRO and ShuttlePRO v2; Stream Deck
-// V2, MK.2, XL, XL V2, Neo and +.
-constexpr std::array<Known, 12> kKnown = {{{0x077D, 0x0410, kPowerMate},
+// V2, MK.2, XL, XL V2, Neo, +, Mini and Mini MK.2.
+constexpr std::array<Known, 14> kKnown = {{{0x077D, 0x0410, kPowerMate},
                                            {0x077D, 0x04AA, kPowerMate},
                                            {0x05F3, 0x0240, kPowerMate},
                                            {0x0B33, 0x0020, kShuttle},
@@ -74,7 +81,9 @@ constexpr std::array<Known, 12> kKnown = {{{0x077D, 0x0410, kPowerMate},
                                            {0x0FD9, 0x006C, kDeck32},
                                            {0x0FD9, 0x008F, kDeck32},
                                            {0x0FD9, 0x009A, kDeck8},
-                                           {0x0FD9, 0x0084, kDeck8}}};
+                                           {0x0FD9, 0x0084, kDeck8},
+                                           {0x0FD9, 0x0063, kDeckMini},
+                                           {0x0FD9, 0x0090, kDeckMini}}};
 
 }  // namespace
 

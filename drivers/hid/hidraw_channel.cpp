@@ -89,15 +89,28 @@ Result<HidInput> HidrawChannel::Read(std::span<std::uint8_t> into) {
   return HidInput{.at = clock_.now(), .bytes = static_cast<std::size_t>(bytes)};
 }
 
-// A write of a part is a fault and not tried again: the rest alone would be taken for another report.
 Result<void> HidrawChannel::Write(std::span<const std::uint8_t> report) {
+  gone_ = gone_ || is_hung_up(node_.get());
   if (gone_) return Gone();
   if (report.empty()) return FailInput("write an empty report to " + identity_.port);
-  const ssize_t bytes = ::write(node_.get(), report.data(), report.size());
-  if (bytes < 0) return Failed(errno, "write ");
-  if (static_cast<std::size_t>(bytes) != report.size())
-    return Fail(std::errc::io_error, "write a whole report to " + identity_.port);
+  if (sender_ && sender_->busy())
+    return Fail(std::errc::resource_unavailable_try_again, "write " + identity_.port);
+  if (const int error = std::exchange(send_errno_, 0)) return Failed(error, "write ");
+  sending_.assign(report.begin(), report.end());
+  if (!sender_)
+    sender_ =
+        std::make_unique<BackgroundWriter>(std::chrono::milliseconds(0), [this] { return Send(), true; });
+  sender_->Ask();
   return {};
+}
+
+// A write of a part is a fault and not tried again: the rest alone would be taken for another report.
+void HidrawChannel::Send() {
+  const ssize_t bytes = ::write(node_.get(), sending_.data(), sending_.size());
+  if (bytes < 0)
+    send_errno_ = errno;
+  else if (static_cast<std::size_t>(bytes) != sending_.size())
+    send_errno_ = EIO;
 }
 
 Result<std::size_t> HidrawChannel::GetFeature(std::span<std::uint8_t> into) {

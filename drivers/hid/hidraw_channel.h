@@ -2,19 +2,23 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "drivers/base/background_writer.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/decode/initial_reports.h"
 #include "drivers/ports/hid_channel.h"
 
 namespace kaori::hid {
 
-// As ports::HidChannel, but for Write: the kernel sends an output report before its write
-// returns, which blocks about 1 ms, and up to the kernel's time-out of 5 s when a device does not
-// answer. LibusbChannel does not block. Reports are read whole: one read(2) gives one. The kernel
-// keeps a ring of 64 and drops the newest beyond that. One thread.
+// As ports::HidChannel. The kernel sends an output report before its write(2) returns, which blocks about 1 ms,
+// and up to the kernel's time-out of 5 s when a device does not answer: a thread of the channel's own does that,
+// from the first output report on, one report at a time. Until it is sent, Write says
+// resource_unavailable_try_again, and what was wrong with one is told by the Write after it. Reports are
+// read whole: one read(2) gives one. The kernel keeps a ring of 64 and drops the newest beyond that. One thread
+// calls the members; the channel's end waits for the report that is under way.
 class HidrawChannel final : public ports::HidChannel {
  public:
   // `node` is an open, non-blocking hidraw node. Borrows `clock` for its life.
@@ -42,6 +46,9 @@ class HidrawChannel final : public ports::HidChannel {
   tl::unexpected<Error> FeatureFailed(int error, const char* verb);
   tl::unexpected<Error> Gone() const;
 
+  // On the sender's thread.
+  void Send();
+
   // One GET_REPORT; its answer goes to the end of `initial_`.
   Result<void> RequestReport(const decode::InitialReport& report);
   // Makes the descriptor that is readable while answers wait, and when the node is.
@@ -58,6 +65,11 @@ class HidrawChannel final : public ports::HidChannel {
   UniqueFd initial_waits_;  // Readable; closed with the last answer.
   // Noted once; from then on no call touches the node.
   bool gone_ = false;
+  // The channel's while the sender is not busy, and the sender's while it is.
+  std::vector<std::uint8_t> sending_;
+  int send_errno_ = 0;  // Of the report before; 0: it was sent.
+  std::unique_ptr<BackgroundWriter>
+      sender_;  // Last: it uses the others. Null before the first output report.
 };
 
 // The report descriptor of an open hidraw node. Errors: those of ioctl(2): no_such_device, io_error.

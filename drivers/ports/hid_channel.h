@@ -54,8 +54,8 @@ class HidChannel {
   virtual Result<HidInput> Read(std::span<std::uint8_t> into) = 0;
 
   // Sends one output report. Byte 0 is the report id, 0 where the descriptor has none. `report` is not
-  // used after the call. Success means that the report is on its way, not that the device showed it.
-  // HidrawChannel may block, as its header says. Errors: as Read, and
+  // used after the call. Success means that the report is on its way, not that the device showed it: what
+  // was wrong with it a later call may tell. Errors: as Read, and
   //   resource_unavailable_try_again  too many reports are under way
   //   invalid_argument                `report` is empty
   virtual Result<void> Write(std::span<const std::uint8_t> report) = 0;

@@ -22,6 +22,8 @@ struct HidDeviceName {
   std::uint16_t product = 0;
   std::string name;
   std::span<const std::uint8_t> descriptor;  // Static memory.
+  // Of the interrupt endpoints, at most: all reports of ours fit into one packet.
+  std::uint16_t packet_bytes = 64;
 };
 
 // A device's own side of the cable: what a microcontroller would do. One thread. Reports leave on change

@@ -16,6 +16,7 @@ class MidiTwin {
  public:
   enum class Kind : std::uint8_t { kXTouchMini, kTwister };
   explicit MidiTwin(Kind kind) : kind_(kind) {}
+  Kind kind() const { return kind_; }
 
   // Test's side. Encoders 0..7, buttons 0..15; clockwise is positive.
   void Turn(int encoder, int steps);
@@ -27,6 +28,9 @@ class MidiTwin {
   // The cable's side.
   void Receive(std::span<const std::uint8_t> bytes);
   std::vector<std::uint8_t> Send() { return std::exchange(said_, {}); }
+  bool has_said() const { return !said_.empty(); }
+  // Power went or came: lamps are dark, encoders stand at their beginning, the mode is the usual one.
+  void PowerCycle() { *this = MidiTwin(kind_); }
 
  private:
   Kind kind_;

@@ -4,20 +4,20 @@
 #include <cmath>
 #include <utility>
 
-#include "firmware/wire/bytes.h"
-
 namespace kaori::sim {
 namespace {
 
-constexpr std::size_t kDeckPageBytes = 1024;
-constexpr std::size_t kDeckPageHead = 8;
-constexpr int kDeckKeys = 15;  // Of a Stream Deck MK.2.
-
-// Descriptors that these devices send. The dials' own say little that is of use: a vendor's usages and bytes.
-constexpr auto kVague = std::to_array<std::uint8_t>({
-    0x05, 0x0C, 0x09, 0x01, 0xA1, 0x01, 0x06, 0x00, 0xFF, 0x09, 0x01, 0x15, 0x00, 0x26, 0xFF, 0x00,  //
-    0x75, 0x08, 0x95, 0x06, 0x81, 0x02, 0xC0,
-});
+// Descriptors that these devices send. The dials' own say little that is of use: a vendor's usages and bytes. Their length is
+// right, since Linux gives nobody a report that is shorter than its descriptor says.
+template <std::uint8_t kBytes>
+constexpr auto VagueDescriptor() {
+  return std::to_array<std::uint8_t>({
+      0x05, 0x0C, 0x09, 0x01, 0xA1, 0x01, 0x06, 0x00,   0xFF, 0x09, 0x01, 0x15,
+      0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, kBytes, 0x81, 0x02, 0xC0,
+  });
+}
+constexpr auto kVagueKnob = VagueDescriptor<6>();
+constexpr auto kVagueShuttle = VagueDescriptor<5>();
 // X, Y 10 bits, hat 4, twist 8, 8 buttons, slider 8, 4 buttons.
 constexpr auto kExtreme3d = std::to_array<std::uint8_t>({
     0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0xA1, 0x02, 0x09, 0x30, 0x09, 0x31, 0x15, 0x00, 0x26, 0xFF,
@@ -57,17 +57,15 @@ OwnedDevice::OwnedDevice(OwnedKind kind) : kind_(kind) {}
 HidDeviceName OwnedDevice::device_name() const {
   switch (kind_) {
     case OwnedKind::kPowerMate:
-      return {0x077D, 0x0410, "Griffin PowerMate", kVague};
+      return {0x077D, 0x0410, "Griffin PowerMate", kVagueKnob};
     case OwnedKind::kShuttlePro:
-      return {0x0B33, 0x0030, "Contour Design ShuttlePRO v2", kVague};
+      return {0x0B33, 0x0030, "Contour Design ShuttlePRO v2", kVagueShuttle};
     case OwnedKind::kExtreme3dPro:
       return {0x046D, 0xC215, "Logitech Extreme 3D Pro", kExtreme3d};
     case OwnedKind::kAttack3:
       return {0x046D, 0xC214, "Logitech Attack 3", kAttack};
     case OwnedKind::kT16000m:
       return {0x044F, 0xB10A, "Thrustmaster T.16000M", kThrustmaster};
-    case OwnedKind::kStreamDeck:
-      return {0x0FD9, 0x0080, "Stream Deck MK.2", kVague};
   }
   return {};
 }
@@ -133,18 +131,12 @@ std::optional<Report> OwnedDevice::NextReport(Time) {
   return report;
 }
 
-// A deck's report has its number, a byte of 0, the number of its keys in 16 bits, and a byte for each key.
 Report OwnedDevice::Standing() const {
   if (kind_ == OwnedKind::kPowerMate)
     return {Byte(buttons_ & 1U), Byte(static_cast<unsigned>(turned_)), 0, 0x50, 0, 0};
   if (kind_ == OwnedKind::kShuttlePro)
     return {Byte(static_cast<unsigned>(ring_)), jog_, 0, Byte(buttons_), Byte(buttons_ >> 8U)};
-  if (kind_ != OwnedKind::kStreamDeck) return StickBytes();
-  Report keys(512);
-  keys[0] = 0x01;
-  keys[2] = kDeckKeys;
-  for (unsigned key = 0; key < kDeckKeys; ++key) keys[4 + key] = Byte(buttons_ >> key & 1U);
-  return keys;
+  return StickBytes();
 }
 
 // Forwards is less on the wire, and so is the slider pushed up.
@@ -164,34 +156,8 @@ Report OwnedDevice::StickBytes() const {
           Byte(y >> 8U),  Byte(twist),          Byte(slider)};
 }
 
-// A picture comes in pages, from 0 on and in order; the last one says that it is.
-void OwnedDevice::HandleOutput(std::span<const std::uint8_t> report) {
-  if (kind_ != OwnedKind::kStreamDeck) return;
-  const bool is_page =
-      report.size() == kDeckPageBytes && report[0] == 0x02 && report[1] == 0x07 && report[2] < kDeckKeys;
-  const std::size_t bytes = is_page ? wire::GetU16(report, 4) : 0;
-  Picture* const picture = is_page ? &pictures_[report[2]] : nullptr;
-  const std::uint16_t page = is_page ? wire::GetU16(report, 6) : 0;
-  if (picture != nullptr && page == 0) *picture = {};
-  if (picture == nullptr || bytes > kDeckPageBytes - kDeckPageHead || page != picture->pages) {
-    ++wrong_pages_;
-    return;
-  }
-  const auto part = report.subspan(kDeckPageHead, bytes);
-  picture->jpeg.insert(picture->jpeg.end(), part.begin(), part.end());
-  ++picture->pages;
-  picture->is_whole = report[3] == 1;
-}
-
-std::optional<std::vector<std::uint8_t>> OwnedDevice::picture(int key) const {
-  if (key < 0 || static_cast<std::size_t>(key) >= pictures_.size()) return std::nullopt;
-  const Picture& shown = pictures_[static_cast<std::size_t>(key)];
-  return shown.is_whole ? std::optional(shown.jpeg) : std::nullopt;
-}
-
-// A deck without power has no pictures, and the jog wheel's counter begins anew.
+// The jog wheel's counter begins anew.
 void OwnedDevice::PowerCycle() {
-  pictures_ = {};
   waiting_.clear();
   jog_ = 0;
 }

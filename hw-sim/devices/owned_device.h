@@ -1,25 +1,15 @@
 // Simulated twins of HID devices that people own, by the bytes of their public descriptions.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "hw-sim/devices/hid_device.h"
 
 namespace kaori::sim {
 
-enum class OwnedKind : std::uint8_t {
-  kPowerMate,
-  kShuttlePro,
-  kExtreme3dPro,
-  kAttack3,
-  kT16000m,
-  kStreamDeck
-};
+enum class OwnedKind : std::uint8_t { kPowerMate, kShuttlePro, kExtreme3dPro, kAttack3, kT16000m };
 
 // One device. Verbs that it has no part for do nothing. Reports leave in the order of what was done, one for
 // each change: the real ones are slower than a hand in a test. One thread.
@@ -36,26 +26,18 @@ class OwnedDevice final : public HidDevice {
   void Hat(int direction);      // 0 up, clockwise to 7; -1 centred.
   void Push(int button);        // From 0.
   void Release(int button);
-  // The JPEG that the host put on a key of a deck; nothing: none, or not all of it. Wrong pages are counted.
-  std::optional<std::vector<std::uint8_t>> picture(int key) const;
-  int wrong_pages() const { return wrong_pages_; }
 
   // Appliance's side, as HidDevice says.
   HidDeviceName device_name() const override;
   std::optional<Time> next_due() const override;
   std::optional<Report> NextReport(Time now) override;
   Report Standing() const override;
-  void HandleOutput(std::span<const std::uint8_t> report) override;
+  void HandleOutput(std::span<const std::uint8_t>) override {}
   void HostCame() override {}
   void HostLeft() override {}
   void PowerCycle() override;
 
  private:
-  struct Picture {
-    std::vector<std::uint8_t> jpeg;
-    std::uint16_t pages = 0;
-    bool is_whole = false;
-  };
   void Say() { waiting_.push_back(Standing()); }
   void SetButton(int button, bool down);
   Report StickBytes() const;
@@ -71,8 +53,6 @@ class OwnedDevice final : public HidDevice {
   float slider_ = 0;
   int hat_ = -1;
   std::uint32_t buttons_ = 0;
-  std::array<Picture, 32> pictures_{};
-  int wrong_pages_ = 0;
 };
 
 }  // namespace kaori::sim

@@ -13,8 +13,6 @@ namespace {
 // The class, and for a keyboard the boot subclass and its protocol (HID 1.11, 4.2 and 4.3).
 constexpr std::uint8_t kHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
 constexpr std::uint8_t kHidDescriptorKind = 0x21, kReportDescriptorKind = 0x22;
-// The longest packet of an interrupt endpoint at full speed; all our reports fit into one.
-constexpr std::uint16_t kPacketBytes = 64;
 constexpr std::uint8_t kEveryMicroframe = 1;
 
 // Requests (7.2 of the class definition).
@@ -47,14 +45,16 @@ UsbBytes HidDescriptor(std::size_t report_descriptor_bytes) {
 }
 
 // A keyboard says so outside its reports too, for hosts that start (4.2 and 4.3 of the class definition).
-UsbBytes Configuration(std::size_t report_descriptor_bytes, const HidShape& shape) {
+UsbBytes Configuration(const HidDeviceName& device, const HidShape& shape) {
   UsbInterface interface { .kind = kHidClass };
   if (shape.is_keyboard) interface = {.kind = kHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
   UsbBytes bytes = InterfaceDescriptor(interface, shape.takes_output ? 2 : 1);
-  Add(HidDescriptor(report_descriptor_bytes), bytes);
-  Add(EndpointDescriptor({UsbHid::kIn, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
+  Add(HidDescriptor(device.descriptor.size()), bytes);
+  Add(EndpointDescriptor({UsbHid::kIn, UsbTransfer::kInterrupt, device.packet_bytes, kEveryMicroframe}),
+      bytes);
   if (shape.takes_output)
-    Add(EndpointDescriptor({UsbHid::kOut, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
+    Add(EndpointDescriptor({UsbHid::kOut, UsbTransfer::kInterrupt, device.packet_bytes, kEveryMicroframe}),
+        bytes);
   return ConfigurationOf(1, bytes);
 }
 
@@ -84,7 +84,7 @@ UsbHid::UsbHid(HidDevice& device) : device_(device) {
   descriptors_.product = device_name.product;
   descriptors_.maker = "Kaori";
   descriptors_.name = device_name.name;
-  descriptors_.configuration = Configuration(device_name.descriptor.size(), shape_);
+  descriptors_.configuration = Configuration(device_name, shape_);
 }
 
 std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {

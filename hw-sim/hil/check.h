@@ -68,6 +68,10 @@ struct Scene {
   // Waits until a face is on the screen of output `head`, and moves. Errors: timed_out.
   Result<void> AwaitMovingFace(int head, Duration longest);
 
+  // The board once all that was done has arrived: two looks, a second apart, see the same dials and pushes. Errors:
+  // those of the board.
+  Result<BoardView> SettledBoard();
+
   // Wants that the stage has not ended since power came. Errors: invalid_argument (it has), those of the
   // agent.
   Result<void> WantNoRestart();
@@ -117,6 +121,10 @@ std::vector<Check> ScreenChecks();
 std::vector<Check> PlayChecks();
 // What every input device says arrives on the board, and lamps are lit.
 std::vector<Check> InputChecks();
+// Surfaces that people own, by their twins.
+std::vector<Check> SurfaceChecks();
+// Serial dial boxes of 1993, and dials on GPIO lines.
+std::vector<Check> DialLineChecks();
 // Cables are pulled and plugged in any order.
 std::vector<Check> CableChecks();
 // The lip camera by our own driver.

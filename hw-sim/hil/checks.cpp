@@ -46,6 +46,19 @@ Result<void> Scene::AwaitMovingFace(int head, Duration longest) {
   return target.Await(moved, longest, fmt::format("see the face move on screen {}", head + 1));
 }
 
+// A box on which somebody plays all the time is given up on after half a minute, and taken as it is.
+Result<BoardView> Scene::SettledBoard() {
+  constexpr int kMostLooks = 30;
+  auto before = target.Board();
+  for (int looks = 0; before && looks < kMostLooks; ++looks) {
+    target.For(std::chrono::seconds(1));
+    auto now = target.Board();
+    if (now && now->counts == before->counts && now->pushes == before->pushes) return now;
+    before = std::move(now);
+  }
+  return before;
+}
+
 Result<void> Scene::WantNoRestart() {
   constexpr const char* kRestarts = "own /usr/bin/systemctl show -p NRestarts --value kaori-stage.service";
   const auto restarts = target.agent().Ask(kRestarts, std::chrono::minutes(2));
@@ -73,13 +86,13 @@ Result<void> WantFoundWrong(const Result<void>& tried, const char* passed) {
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part :
-       {ScreenChecks(),   PlayChecks(),          InputChecks(),     LatencyChecks(),    CameraChecks(),
-        LineChecks(),     SoundChecks(),         LibcameraChecks(), CableChecks(),      HangChecks(),
-        ToolChecks(),     AuthorisationChecks(), AloneChecks(),     SpeedChecks(),      GadgetChecks(),
-        LoopChecks(),     DamagedDiskChecks(),   SamplingChecks(),  DisplayChecks(),    OutputChecks(),
-        LastFaceChecks(), RecoveryChecks(),      PowerChecks(),     StickChecks(),      BackupChecks(),
-        DeskChecks(),     DataChecks(),          DiskChecks(),      SecureBootChecks(), StartChecks(),
-        MediumChecks(),   UpdateChecks()})
+       {ScreenChecks(),  PlayChecks(),   InputChecks(),    SurfaceChecks(),       DialLineChecks(),
+        LatencyChecks(), CameraChecks(), LineChecks(),     SoundChecks(),         LibcameraChecks(),
+        CableChecks(),   HangChecks(),   ToolChecks(),     AuthorisationChecks(), AloneChecks(),
+        SpeedChecks(),   GadgetChecks(), LoopChecks(),     DamagedDiskChecks(),   SamplingChecks(),
+        DisplayChecks(), OutputChecks(), LastFaceChecks(), RecoveryChecks(),      PowerChecks(),
+        StickChecks(), BackupChecks(), DeskChecks(),  DataChecks(),   DiskChecks(),     SecureBootChecks(),    StartChecks(),
+        MediumChecks(), UpdateChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -27,7 +27,7 @@ class HidSubject : public AnySubject {
   virtual void Unplug() = 0;
   // False where the device behind the implementation has no descriptor that becomes readable.
   virtual bool wakes() const { return true; }
-  // The output report that the device received last, without the report id.
+  // The output report that the device received last, without the report id; awaited, where it is on its way.
   virtual Bytes received() = 0;
 
   ManualClock clock;
@@ -103,6 +103,19 @@ TEST_P(HidChannelContract, SendsAWholeReport) {
   const auto sent = channel().Write(report);
   ASSERT_TRUE(sent) << sent.error().message();
   EXPECT_EQ(subject_->received(), (Bytes{0x81, 2, 3, 0x40}));
+}
+
+TEST_P(HidChannelContract, SendsReportsInTheirOrderAndSaysTryAgainWhileTooManyAreUnderWay) {
+  for (std::uint8_t n = 1; n < 20; ++n) {
+    auto sent = channel().Write(Bytes{0, n});
+    for (int tries = 0; tries < 1000 && Cause(sent) == std::errc::resource_unavailable_try_again; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      static_cast<void>(channel().Read(into_));  // As a program does meanwhile.
+      sent = channel().Write(Bytes{0, n});
+    }
+    ASSERT_TRUE(sent) << sent.error().message();
+    EXPECT_EQ(subject_->received(), (Bytes{n}));
+  }
 }
 
 TEST_P(HidChannelContract, RefusesAnEmptyReport) {

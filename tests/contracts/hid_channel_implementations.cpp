@@ -1,5 +1,6 @@
 // The HID channels: hidraw on a socket in place of the kernel's
 // node, libusb in a made-up kernel, and the simulator's link.
+#include <poll.h>
 #include <sys/socket.h>
 
 #include "drivers/base/packet_socket.h"
@@ -39,6 +40,8 @@ class HidrawSubject final : public HidSubject {
   }
   void Unplug() override { device_.reset(); }
   HidBytes received() override {
+    pollfd comes{.fd = device_.get(), .events = POLLIN, .revents = 0};
+    ::poll(&comes, 1, 3000);  // Another thread sends it.
     HidBytes report(64);
     const ssize_t bytes = ::recv(device_.get(), report.data(), report.size(), 0);
     report.resize(bytes > 0 ? std::size_t(bytes) : 0);

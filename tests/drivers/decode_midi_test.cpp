@@ -4,7 +4,6 @@
 
 #include "drivers/decode/midi.h"
 #include "drivers/decode/midi_surface.h"
-#include "drivers/decode/stream_deck.h"
 
 namespace kaori::decode {
 namespace {
@@ -100,17 +99,6 @@ TEST(MidiSurface, LampsAreSentWhereTheyChangeAndAllOfThemAgain) {
   EXPECT_THAT(surface.LampBytes(0x4, false), ElementsAre());
   surface.ForgetLamps();
   EXPECT_THAT(surface.LampBytes(0x4, false), ElementsAre(0x91, 5, 0, 0x91, 7, 127)) << "they were not sent";
-}
-
-TEST(StreamDeck, APictureIsCutIntoPagesOfAThousandBytes) {
-  const std::vector<std::uint8_t> jpeg(1016 + 5, 0xAB);
-  const auto pages = PicturePages(7, jpeg);
-  ASSERT_EQ(pages.size(), 2U);
-  EXPECT_EQ(pages[0].size(), 1024U);
-  EXPECT_THAT(std::vector(pages[0].begin(), pages[0].begin() + 8), ElementsAre(2, 7, 7, 0, 0xF8, 0x03, 0, 0));
-  EXPECT_THAT(std::vector(pages[1].begin(), pages[1].begin() + 8), ElementsAre(2, 7, 7, 1, 5, 0, 1, 0));
-  EXPECT_EQ(StreamDeckOf(0x0FD9, 0x0080).keys, 15);
-  EXPECT_EQ(StreamDeckOf(0x0FD9, 0x0063).keys, 0) << "the Mini has another protocol";
 }
 
 }  // namespace

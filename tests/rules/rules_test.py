@@ -54,6 +54,7 @@ AGAINST = (
     ("appliance/core/roles/a.h", '"appliance/core/board/board.h"', "appliance/core/roles/ may include only"),
     ("appliance/core/show/a.h", '"appliance/core/board/board.h"', "appliance/core/show/ may include only"),
     ("appliance/core/performance/a.h", '"drivers/ports/hid_channel.h"', "appliance/core/performance/ may include only"),
+    ("appliance/authoring/keys/a.h", '"appliance/programs/input/input.h"', "appliance/authoring/keys/ may include only"),
     ("appliance/authoring/a.h", '"appliance/programs/input/input.h"', "appliance/authoring/ may include only"),
     ("appliance/programs/input/a.h", '"drivers/hid/local_bus.h"', "only a program's main.cpp names a driver"),
     ("render/passes/a.h", '"drivers/decode/dial_box.h"', "render/passes/ may include only"),

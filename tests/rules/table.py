@@ -60,6 +60,7 @@ MAY_INCLUDE = (
     ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/monitor/", "appliance/programs/status/")),
     ("appliance/programs/desk/", _BASE + ("render/image/", "appliance/core/board/", "appliance/programs/lips/protocol/",
                                           "appliance/programs/status/", "drivers/web/")),
+    ("appliance/authoring/keys/", _PROGRAM + ("appliance/programs/stage/", "appliance/authoring/script/", "drivers/web/")),  # JPEG for keys with screens.
     ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.
     ("hw-sim/rehearsal/", EVERYTHING),
     ("hw-sim/evening/", EVERYTHING),

@@ -113,6 +113,7 @@ std::vector<FileOption> OptionsOfTools() {
       {"atelier_info", "kaori-atelier", {"info", "@"}},
       {"atelier_diff", "kaori-atelier", {"diff", "@", "@"}},
       {"atelier_labels", "kaori-atelier", {"labels", "@", "%/labels.json"}},
+      {"atelier_keys", "kaori-atelier", {"keys", "@", "%/keys"}},
       {"atelier_sign", "kaori-atelier", {"pack", "%", "%/out", "--sign", "@"}},
       {"atelier_show", "kaori-atelier", {"check", "%"}, {}, "show.toml"},
       {"atelier_cast", "kaori-atelier", {"check", "%"}, {}, "cast.toml"},

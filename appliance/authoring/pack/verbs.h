@@ -15,6 +15,8 @@ Verb DiffVerb();
 Verb InfoVerb();
 // A key pair that signs packs.
 Verb KeygenVerb();
+// Pictures for keys with screens.
+Verb KeysVerb();
 // The labels of the operators' controls.
 Verb LabelsVerb();
 // From a folder to a pack.

@@ -33,6 +33,7 @@ enum class Section : std::uint32_t {
   kDesk,
   kMidiHeard,
   kLamps,
+  kButtonCalls,
   kStageStatus,
   kShowNow,
   kLineCheck,
@@ -40,7 +41,7 @@ enum class Section : std::uint32_t {
   kShowsMenu,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 22;
+inline constexpr std::size_t kSectionCount = 23;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
@@ -99,6 +100,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"desk", ValueWords<Desk>()},
                                                   {"midi_heard", ValueWords<MidiHeard>()},
                                                   {"lamps", ValueWords<Lamps>()},
+                                                  {"button_calls", ValueWords<ButtonCalls>()},
                                                   {"stage_status", ValueWords<StageStatus>()},
                                                   {"show_now", ValueWords<ShowNow>()},
                                                   {"line_check", ValueWords<LineCheck>()},
@@ -115,7 +117,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
 
 }  // namespace internal
 
-// The whole board as this build has it: about 65 KB, most of it four copies of `performance`.
+// The whole board as this build has it: about 67 KB, most of it four copies of `performance`.
 inline constexpr std::array<SectionPlace, kSectionCount> kPlaces = internal::PlaceSections();
 inline constexpr std::size_t kBoardWords = kPlaces.back().at_word + SectionWords(kPlaces.back().value_words);
 inline constexpr std::size_t kBoardBytes = kBoardWords * sizeof(std::uint32_t);
@@ -151,6 +153,7 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Lips>) return Section::kLips;
   if constexpr (std::is_same_v<T, MidiHeard>) return Section::kMidiHeard;
   if constexpr (std::is_same_v<T, Lamps>) return Section::kLamps;
+  if constexpr (std::is_same_v<T, ButtonCalls>) return Section::kButtonCalls;
   if constexpr (std::is_same_v<T, Voice>) return Section::kVoice;
   if constexpr (std::is_same_v<T, Sound>) return Section::kSound;
   if constexpr (std::is_same_v<T, MotionNow>) return Section::kMotionNow;

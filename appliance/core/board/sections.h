@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "appliance/core/board/button_calls.h"
 #include "appliance/core/board/calls.h"
 #include "appliance/core/board/learn.h"
 #include "appliance/core/board/line_check.h"

@@ -22,6 +22,7 @@ bool Valid(const LipsGuide& guide);
 bool Valid(const Desk& desk);
 bool Valid(const MidiHeard& heard);
 bool Valid(const Lamps& lamps);
+bool Valid(const ButtonCalls& calls);
 bool Valid(const StageStatus& status);
 bool Valid(const ShowNow& show);
 bool Valid(const LineCheck& check);

@@ -9,6 +9,7 @@
 #include "appliance/core/roles/named.h"
 #include "appliance/core/show/cue_names.h"
 #include "appliance/core/toml/nearest.h"
+#include "drivers/base/checksum.h"
 #include "render/scene/scene.h"
 
 namespace kaori::roles {
@@ -86,6 +87,12 @@ std::string NameOf(const show::Call& call, const Items& items) {
     return fmt::format("{}{}{}", before, of.word, of.names[call.index]);
   }
   return {};
+}
+
+std::uint64_t SumOfCall(show::Call call, std::string_view show_name, const Items& items) {
+  call.mode = CallMode::kCall;
+  const std::string name = NameOf(call, items);
+  return name.empty() ? 0 : Fnv1a(name, Fnv1a("\n", Fnv1a(show_name)));
 }
 
 std::vector<std::string> TeachableCalls(const Items& items) {

@@ -37,6 +37,10 @@ std::optional<show::Call> CallNamed(std::string_view text, const Items& items);
 // The same text of a call; empty for a call of another kind. Pure.
 std::string NameOf(const show::Call& call, const Items& items);
 
+// By which the picture of a call is found, in the show's pictures and on the board (board::ButtonCalls): a number
+// of the show's name and of what is called, however it joins. 0 for a call that has no name. Pure.
+std::uint64_t SumOfCall(show::Call call, std::string_view show_name, const Items& items);
+
 // All that a button may be taught to call, in the order in which learn mode offers it. Pure.
 std::vector<std::string> TeachableCalls(const Items& items);
 

@@ -2,11 +2,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "drivers/base/log.h"
-#include "drivers/base/read_file.h"
-#include "drivers/decode/stream_deck.h"
 
 namespace kaori::input {
 namespace {
@@ -18,8 +14,6 @@ constexpr Duration kLampRetry = std::chrono::seconds(5);
 // Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see
 // them.
 constexpr Duration kRepaint = std::chrono::seconds(1);
-// Of one key's JPEG; ReadFile refuses a larger file, and the key stays as it is.
-constexpr std::size_t kMostPictureBytes = 64UL * 1024;
 
 }  // namespace
 
@@ -43,7 +37,8 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   lamp_failures_ = 0;
   plugged_ = now;
   held_confirmed_ = false;
-  LoadPictures(identity);
+  deck_ = decode::StreamDeckOf(identity.vendor, identity.product);
+  pictures_.Plug(deck_, map_->pictures);
   section_.Plug(device_, now);
   return {};
 }
@@ -52,6 +47,11 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
 // and no leap. Where several buttons of the device are one of the board's, each of them holds it down and all
 // pushes count.
 Result<void> DialSlot::Accept(std::span<const std::uint8_t> report, Time at) {
+  if (deck_.keys > 0) {
+    const auto kind = decode::DeckReportOf(deck_, report);
+    if (kind == decode::DeckReport::kTorn) return Fail(std::errc::bad_message, "read the keys of a deck");
+    if (kind == decode::DeckReport::kOther) return {};
+  }
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());
   for (std::size_t n = 0; n < passed_on_.size(); ++n) {
@@ -81,10 +81,9 @@ void DialSlot::Turn(std::size_t dial, std::int32_t counts, Time at) {
   section_.Turn(*map_->dials[dial], static_cast<std::int32_t>(turned), at);
 }
 
-// Pages that were not sent are dropped: the next plug loads all pictures anew.
 void DialSlot::Unplug(Time now) {
   decoder_.reset();
-  pages_.clear();
+  pictures_.Unplug();
   section_.Unplug(device_, now);
 }
 
@@ -97,7 +96,7 @@ void DialSlot::Tick(Time now, ports::HidChannel* device) {
     held_confirmed_ = true;
   }
   ShowLamps(now, *device);
-  ShowPictures(*device);
+  if (pictures_.has_keys()) pictures_.Show(DeckKeys(), now, *device, name());
 }
 
 // A box that is busy is told at the next tick; a box that is gone is noticed when it is read. Only other
@@ -119,32 +118,16 @@ void DialSlot::ShowLamps(Time now, ports::HidChannel& device) {
                told.error().message(), name());
 }
 
-// A key whose picture is missing stays as it is.
-void DialSlot::LoadPictures(const ports::HidIdentity& identity) {
-  pages_.clear();
-  const decode::StreamDeck deck = decode::StreamDeckOf(identity.vendor, identity.product);
-  if (map_->pictures.empty()) return;
-  for (int key = 0; key < deck.keys; ++key) {
-    const auto file = map_->pictures / fmt::format("{}.jpg", key + 1);
-    const auto jpeg = ReadFile(file, {.most_bytes = kMostPictureBytes});
-    if (!jpeg) {
-      if (jpeg.error().cause != std::errc::no_such_file_or_directory)
-        LogWarning("{}; the key stays as it is", jpeg.error().message());
-      continue;
-    }
-    const std::vector<std::uint8_t> bytes(jpeg->begin(), jpeg->end());
-    for (auto& page : decode::PicturePages(key, bytes)) pages_.push_back(std::move(page));
-  }
-}
-
-// A page takes the kernel about a millisecond, so that all pictures at once would hold up other devices.
-void DialSlot::ShowPictures(ports::HidChannel& device) {
-  if (pages_.empty()) return;
-  const auto sent = device.Write(pages_.front());
-  if (sent) pages_.pop_front();
-  if (sent || sent.error().cause == std::errc::resource_unavailable_try_again) return;
-  LogWarning("{}; its keys stay without pictures until it is plugged in again", sent.error().message());
-  pages_.clear();
+// A key that is no button of the board calls nothing.
+DeckPictures::Keys DialSlot::DeckKeys() const {
+  const auto calls = board_.Read<board::ButtonCalls>().value;
+  const std::uint32_t sheet = board_.Read<board::ShowNow>().value.sheet;
+  const std::uint32_t lit = board_.Read<board::Lamps>().value.lit;
+  DeckPictures::Keys keys;
+  for (std::size_t key = 0; key < keys.size() && sheet < calls.sums.size(); ++key)
+    if (const auto button = map_->buttons[key])
+      keys[key] = {calls.sums[sheet][*button], (lit >> *button & 1U) != 0};
+  return keys;
 }
 
 }  // namespace kaori::input

@@ -2,12 +2,12 @@
 // Firmware of our own box: firmware/wire has the bytes of its reports.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "appliance/core/board/board.h"
+#include "appliance/programs/input/deck_pictures.h"
 #include "appliance/programs/input/device_slot.h"
 #include "appliance/programs/input/surface_map.h"
 #include "appliance/programs/input/surface_section.h"
@@ -37,9 +37,8 @@ class DialSlot final : public DeviceSlot {
   // Sends one output report where the lamps on the board differ from those that the box was last told, and
   // one each second.
   void ShowLamps(Time now, ports::HidChannel& device);
-  // Reads the pictures of a Stream Deck's keys, and sends one page of them at each tick.
-  void LoadPictures(const ports::HidIdentity& identity);
-  void ShowPictures(ports::HidChannel& device);
+  // What the board says of each key of a Stream Deck.
+  DeckPictures::Keys DeckKeys() const;
 
   const board::Board& board_;
   SurfaceSection& section_;
@@ -61,8 +60,9 @@ class DialSlot final : public DeviceSlot {
   Time lamps_after_{};
   // Since the plug.
   int lamp_failures_ = 0;
-  // Of pictures that are not sent yet.
-  std::deque<std::vector<std::uint8_t>> pages_;
+  // 0 keys: it is none.
+  decode::StreamDeck deck_{};
+  DeckPictures pictures_;
   // When the box was plugged in, from which kHeldStateTrust counts.
   Time plugged_{};
   // False while held buttons are known only from before the plug.

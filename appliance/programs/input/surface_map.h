@@ -18,7 +18,7 @@ namespace kaori::input {
 //   counts_per_turn = 94
 //   dials = [3]                         its first dial moves dial 3 of the board; 0 moves none
 //   buttons = [1]                       its first button is button 1; 0 is none. Without the list each is its own number
-//   pictures = "faces"                  a folder beside the file: 1.jpg and so on are shown on the keys of a Stream Deck
+//   pictures = "stream-deck"            a folder beside the file, for the keys of a Stream Deck: see DeckPictures
 // and of a MIDI surface besides
 //   [midi]          start = "F0 00 01 79 05 00 01 F7"   repaint_s = 1
 //   [[midi.dial]]   channel = 11   control = 1   count = 8   mode = "absolute"       mode: decode::MidiDialMode

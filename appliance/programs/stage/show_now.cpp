@@ -6,6 +6,7 @@
 
 #include "appliance/core/performance/kept.h"
 #include "appliance/core/performance/lobby.h"
+#include "appliance/core/roles/own_buttons.h"
 
 namespace kaori::stage {
 namespace {
@@ -94,6 +95,18 @@ board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show
   now.lobby_hours = HoursOf(state.lobby, show);
   TellOfTheMouth(state, now);
   return now;
+}
+
+board::ButtonCalls ButtonCallsOf(const show::Show& show) {
+  static_assert(board::ButtonCalls::kButtons == show::kButtonCount &&
+                board::ButtonCalls::kSheets == show::kSheetCount);
+  const roles::Items items = roles::ItemsOf(show);
+  board::ButtonCalls calls;
+  for (std::size_t n = 0; n < show.buttons.size(); ++n) {
+    calls.sums[0][n] = roles::SumOfCall(show.buttons[n], show.name, items);
+    calls.sums[1][n] = roles::SumOfCall(show.second_buttons[n], show.name, items);
+  }
+  return calls;
 }
 
 }  // namespace kaori::stage

@@ -60,6 +60,7 @@ Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, co
   act_clock_.emplace(board.Read<board::ShowNow>(), studio.show().cue_list, state_.cue_run.active);
   status_.frames = board.Read<board::StageStatus>().value.frames;
   motion_now_ = board.Read<board::MotionNow>().value;
+  writers_.button_calls.Write(ButtonCallsOf(studio.show()), clock.now(), board::SourceState::kLive);
   pacer_.Set(false);
 }
 

@@ -39,6 +39,7 @@ struct StageWriters {
   board::Writer<board::MotionNow> motion_now;
   board::Writer<board::LineCheck> line_check;
   board::Writer<board::Learn> learn;
+  board::Writer<board::ButtonCalls> button_calls;
 
   // Errors: as Board::AcquireWriter; a second stage is refused.
   static Result<StageWriters> Acquire(const board::Board& board);

@@ -20,9 +20,11 @@ Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
   if (!line_check) return tl::unexpected(line_check.error());
   auto learn = board.AcquireWriter<board::Learn>();
   if (!learn) return tl::unexpected(learn.error());
-  return StageWriters{std::move(*performance), std::move(*lamps),      std::move(*status),
-                      std::move(*show_now),    std::move(*motion_now), std::move(*line_check),
-                      std::move(*learn)};
+  auto button_calls = board.AcquireWriter<board::ButtonCalls>();
+  if (!button_calls) return tl::unexpected(button_calls.error());
+  return StageWriters{std::move(*performance), std::move(*lamps),       std::move(*status),
+                      std::move(*show_now),    std::move(*motion_now),  std::move(*line_check),
+                      std::move(*learn),       std::move(*button_calls)};
 }
 
 }  // namespace kaori::stage

@@ -13,8 +13,9 @@ namespace {
 
 // A machine that starts takes seconds until its socket listens; one that runs answers at once.
 constexpr Duration kCallAgain = std::chrono::milliseconds(100);
-constexpr std::size_t kInterruptBytes = 64;  // The longest report of a device of ours.
-constexpr int kTransfersAtOnce = 256;        // Of one endpoint: the others have their turn.
+// The longest packet of an interrupt endpoint (USB 2.0, 5.7.3): each report of a device of ours fits into one.
+constexpr std::size_t kInterruptBytes = 1024;
+constexpr int kTransfersAtOnce = 256;  // Of one endpoint: the others have their turn.
 
 }  // namespace
 

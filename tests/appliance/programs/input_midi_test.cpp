@@ -96,6 +96,7 @@ class MidiSurfaces : public OwnedDevices {
 
 TEST_F(MidiSurfaces, ATwisterIsPutIntoItsModeAndItsEncodersTurnDials) {
   sim::MidiTwin twister(sim::MidiTwin::Kind::kTwister);
+  RecordProperty("twin", "Midi Fighter Twister");
   PlugMidi("2580", "0007");
   StartMidi();
   PlayMidi(twister, 10);
@@ -148,6 +149,7 @@ TEST_F(MidiSurfaces, OfAFloodTheNewestMessagesAreOnTheBoard) {
 }
 
 TEST_F(MidiSurfaces, AnXTouchMinisDeadEndsTurnNothingAndItsLampsAreShownAgain) {
+  RecordProperty("twin", "X-Touch Mini");
   sim::MidiTwin touch(sim::MidiTwin::Kind::kXTouchMini);
   PlugMidi("1397", "00b3");
   StartMidi();

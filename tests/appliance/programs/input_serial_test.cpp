@@ -72,6 +72,7 @@ class SerialBox : public ::testing::TestWithParam<Kind> {
 INSTANTIATE_TEST_SUITE_P(All, SerialBox, ::testing::Values(Kind::kSgi, Kind::kSpectragraphics, Kind::kDls80));
 
 TEST_P(SerialBox, TurnsAndPushesReachTheBoardAndLampsTheBox) {
+  RecordProperty("twin", "serial box " + std::to_string(static_cast<int>(GetParam())));
   PlugIn();
   // The first position of a box that tells positions is no turn, and counts after silence alone.
   for (const int dial : {0, 7}) {

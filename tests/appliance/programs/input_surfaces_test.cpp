@@ -3,17 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "hw-sim/devices/dial_box.h"
 #include "hw-sim/devices/owned_device.h"
+#include "hw-sim/devices/stream_deck.h"
 #include "tests/appliance/programs/input_owned_fixture.h"
 
 namespace kaori::input {
 namespace {
 
-namespace fs = std::filesystem;
 using board::SourceState;
 using sim::OwnedKind;
 using std::chrono::milliseconds;
@@ -22,6 +19,7 @@ using ::testing::FloatNear;
 TEST_F(OwnedDevices, APowerMateIsOneDialOfTheBoardWhoseTurnIsATurn) {
   sim::OwnedDevice knob(OwnedKind::kPowerMate);
   PlugIn("knob", knob);
+  RecordProperty("twin", knob.device_name().name);
   Start();
   for (int n = 0; n < 47; ++n) knob.Turn(1);
   knob.Push(0);
@@ -38,6 +36,7 @@ TEST_F(OwnedDevices, APowerMateIsOneDialOfTheBoardWhoseTurnIsATurn) {
 TEST_F(OwnedDevices, AShuttlesJogWheelTurnsOverItsEndAndItsRingTurnsNothing) {
   sim::OwnedDevice shuttle(OwnedKind::kShuttlePro);
   PlugIn("shuttle", shuttle);
+  RecordProperty("twin", shuttle.device_name().name);
   Start();
   shuttle.Ring(5);
   Play(milliseconds(5));
@@ -52,7 +51,8 @@ TEST_F(OwnedDevices, AShuttlesJogWheelTurnsOverItsEndAndItsRingTurnsNothing) {
 TEST_F(OwnedDevices, ADialBoxAndFurtherSurfacesPlayTogether) {
   sim::DeviceContext context{clock_, {}};
   sim::DialBox box(context);
-  sim::OwnedDevice knob(OwnedKind::kPowerMate), deck(OwnedKind::kStreamDeck);
+  sim::OwnedDevice knob(OwnedKind::kPowerMate);
+  sim::StreamDeck deck(sim::StreamDeck::Kind::kMk2);
   PlugIn("dial-box", box);
   PlugIn("knob", knob);
   PlugIn("deck", deck);
@@ -92,30 +92,6 @@ TEST_F(OwnedDevices, AButtonThatADialBoxHeldBeforeARestartIsLetGoWhereItDoesNotC
   EXPECT_EQ(Board().surface.source, SourceState::kLive) << "the knob is there";
 }
 
-TEST_F(OwnedDevices, AStreamDecksKeysShowTheirPictures) {
-  const fs::path pictures = file_.folder() / "pictures";
-  fs::create_directories(pictures);
-  std::vector<std::uint8_t> jpeg(5000);
-  for (std::size_t n = 0; n < jpeg.size(); ++n) jpeg[n] = static_cast<std::uint8_t>(n * 7);
-  std::ofstream(pictures / "3.jpg", std::ios::binary)
-      .write(reinterpret_cast<const char*>(jpeg.data()), static_cast<std::streamsize>(jpeg.size()));
-  for (SurfaceMap& map : maps_)
-    if (!map.pictures.empty()) map.pictures = pictures;
-  sim::OwnedDevice deck(OwnedKind::kStreamDeck);
-  PlugIn("deck", deck);
-  Start();
-  Play(milliseconds(50));
-  EXPECT_EQ(deck.picture(2), jpeg);
-  EXPECT_FALSE(deck.picture(1));
-  EXPECT_EQ(deck.wrong_pages(), 0);
-  cables_[0]->Unplug();
-  Play(milliseconds(20));
-  EXPECT_FALSE(deck.picture(2));
-  ASSERT_TRUE(cables_[0]->Plug());
-  Play(milliseconds(50));
-  EXPECT_EQ(deck.picture(2), jpeg) << "they come again with the plug";
-}
-
 class OwnedSticks : public OwnedDevices, public ::testing::WithParamInterface<OwnedKind> {};
 INSTANTIATE_TEST_SUITE_P(All, OwnedSticks,
                          ::testing::Values(OwnedKind::kExtreme3dPro, OwnedKind::kAttack3,
@@ -124,6 +100,7 @@ INSTANTIATE_TEST_SUITE_P(All, OwnedSticks,
 TEST_P(OwnedSticks, WhatMovesStandsOnTheBoard) {
   sim::OwnedDevice stick(GetParam());
   PlugIn("stick", stick);
+  RecordProperty("twin", stick.device_name().name);
   Start();
   stick.Move(-0.5F, 1);
   stick.Push(10);

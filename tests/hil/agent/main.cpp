@@ -20,7 +20,10 @@
 //   lines request CHIP IN,IN OUT,OUT GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
 //   lines drive N 0|1            output number N
+//   dials make                   eight dials on simulated GPIO lines; the name of their chip
+//   dials turn US N,N,...        turns them by so many edges each, with a pause in microseconds after each edge
 //   damaged-disks FIRST COUNT    mounts and reads so many damaged file systems, as DamagedDisks says
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,6 +45,7 @@
 #include "tests/hil/agent/damaged_disks.h"
 #include "tests/hil/agent/first_program.h"
 #include "tests/hil/agent/serial_line.h"
+#include "tests/hil/agent/simulated_dials.h"
 #include "tests/hil/agent/usb_view.h"
 
 namespace {
@@ -81,6 +85,7 @@ class Agent {
     if (verb == "said" && words.size() == 1) return started_.Said(words[0]);
     if (verb == "end" && words.size() == 1) return started_.End(words[0]);
     if (verb == "lines") return Lines(words);
+    if (verb == "dials") return Dials(words);
     if (verb == "damaged-disks" && words.size() == 2) return TryDamagedDisks(words);
     if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
     if (verb == "read" && words.size() == 1) return kaori::agent::ReadIn(roots_.box.get(), words[0]);
@@ -141,6 +146,20 @@ class Agent {
     return std::string();
   }
 
+  Result<std::string> Dials(const Words& words) {
+    if (words.size() == 1 && words[0] == "make") {
+      auto made = kaori::agent::SimulatedDials::Make();
+      if (!made) return tl::unexpected(made.error());
+      return dials_.emplace(std::move(*made)).name();
+    }
+    const Words numbers = words.size() == 3 ? Split(words[2], ',') : Words{};
+    if (!dials_ || numbers.size() != kaori::agent::SimulatedDials::kDials)
+      return kaori::FailInput("dials make, then dials turn US and a number for each");
+    std::array<int, kaori::agent::SimulatedDials::kDials> edges{};
+    for (std::size_t n = 0; n < edges.size(); ++n) edges[n] = std::atoi(numbers[n].c_str());
+    return dials_->Turn(edges, std::atoi(words[1].c_str())).map([] { return std::string(); });
+  }
+
   // The good file systems are made once: it takes seconds.
   Result<std::string> TryDamagedDisks(const Words& words) {
     const auto first = kaori::ParseNumber<std::uint64_t>(words[0]);
@@ -171,6 +190,7 @@ class Agent {
   kaori::agent::Started started_;
   std::unique_ptr<kaori::ports::GpioLines> lines_;
   std::optional<kaori::agent::DamagedDisks> damaged_;
+  std::optional<kaori::agent::SimulatedDials> dials_;
 };
 
 }  // namespace
