@@ -32,6 +32,9 @@ Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longes
     return said.find(words) != std::string::npos;
   };
   if (scene.target.Until(says, longest)) return {};
+  scene.finding.texts.emplace_back(
+      "what the box logged of the stick",
+      TextInBox(scene, "own /usr/bin/journalctl -b -n 200 --no-pager -o short-monotonic"));
   return FailInput(fmt::format("the box does not say \"{}\" of the stick, but \"{}\"", words, said));
 }
 
