@@ -25,7 +25,7 @@ Handle NewFramebuffer() {
 Result<Target> Target::Make(const TextureOptions& options) {
   Target target;
   target.options_ = options;
-  target.texture_ = Texture(options, {});
+  target.texture_ = Texture(options);
   target.frame_ = NewFramebuffer();
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture_.id(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return target;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <utility>
 #include <vector>
 
 namespace kaori::gl {
@@ -44,23 +45,18 @@ int LevelsOf(const TextureOptions& o) {
 void SetSampling(const TextureOptions& o) {
   const bool smooth = o.texels != Texels::kFloat4;
   const GLint shrink = o.mipmaps ? GL_LINEAR_MIPMAP_NEAREST : (smooth ? GL_LINEAR : GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  const GLint beyond = o.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, beyond);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, beyond);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, shrink);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, smooth ? GL_LINEAR : GL_NEAREST);
 }
 
-struct Rgba8 {
-  std::vector<std::byte> bytes;
-  int width_px = 0;
-  int height_px = 0;
-};
-
 // Half as wide and half as high, each texel the mean of the four that it replaces; an odd column or row at
 // the end goes. `from` is larger than one texel.
-Rgba8 Halve(std::span<const std::byte> from, int width_px, int height_px) {
+MipLevel Halve(std::span<const std::byte> from, int width_px, int height_px) {
   const auto wide = static_cast<std::size_t>(width_px);
-  Rgba8 half{{}, std::max(width_px / 2, 1), std::max(height_px / 2, 1)};
+  MipLevel half{{}, std::max(width_px / 2, 1), std::max(height_px / 2, 1)};
   const auto columns = static_cast<std::size_t>(half.width_px);
   half.bytes.resize(columns * static_cast<std::size_t>(half.height_px) * 4);
   const std::size_t right = width_px > 1 ? 4 : 0;
@@ -82,25 +78,38 @@ Rgba8 Halve(std::span<const std::byte> from, int width_px, int height_px) {
 
 }  // namespace
 
-Texture::Texture(const TextureOptions& options, std::span<const std::byte> pixels) : options_(options) {
+// A loop of our own: a software renderer compiles shaders for mipmaps anew at each start, and that takes longer.
+std::vector<MipLevel> MipLevelsOf(std::vector<std::byte> pixels, int width_px, int height_px) {
+  std::vector<MipLevel> levels;
+  levels.push_back({std::move(pixels), width_px, height_px});
+  while (levels.back().width_px > 1 || levels.back().height_px > 1) {
+    const MipLevel& last = levels.back();
+    levels.push_back(Halve(last.bytes, last.width_px, last.height_px));
+  }
+  return levels;
+}
+
+// Immutable: size and levels are fixed, which drivers like.
+Texture::Texture(const TextureOptions& options) : options_(options) {
   GLuint id = 0;
   glGenTextures(1, &id);
   handle_ = Handle(id, DeleteTexture);
   glBindTexture(GL_TEXTURE_2D, id);
-  // Immutable: size and levels are fixed, which drivers like.
   glTexStorage2D(GL_TEXTURE_2D, LevelsOf(options), FormatOf(options.texels).internal, options.width_px,
                  options.height_px);
   SetSampling(options);
-  if (pixels.empty()) return;
+}
+
+Texture::Texture(const TextureOptions& options, std::span<const std::byte> pixels) : Texture(options) {
+  assert(!options.mipmaps);
   Write(options.height_px, pixels);
-  // Made here: a software renderer compiles shaders for it anew at each start, and that takes longer.
-  assert(!options.mipmaps || options.texels == Texels::kRgba8);
-  Rgba8 level{{}, options.width_px, options.height_px};
-  for (int number = 1; number < LevelsOf(options); ++number) {
-    level = Halve(number == 1 ? pixels : std::span<const std::byte>(level.bytes), level.width_px,
-                  level.height_px);
-    WriteLevel(number, level.width_px, level.height_px, level.bytes);
-  }
+}
+
+Texture::Texture(const TextureOptions& options, std::span<const MipLevel> levels) : Texture(options) {
+  assert(options.mipmaps && options.texels == Texels::kRgba8);
+  for (std::size_t number = 0; number < levels.size(); ++number)
+    WriteLevel(static_cast<int>(number), levels[number].width_px, levels[number].height_px,
+               levels[number].bytes);
 }
 
 void Texture::Write(int rows, std::span<const std::byte> pixels) {

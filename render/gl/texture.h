@@ -1,10 +1,11 @@
-// Pictures that shaders look up; beyond its edges a picture goes on as its edge is. Smoothed between texels,
-// but for kFloat4.
+// Pictures that shaders look up; beyond its edges a picture goes on as its edge is, unless it repeats. Smoothed
+// between texels, but for kFloat4.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "render/gl/handle.h"
 
@@ -28,16 +29,31 @@ struct TextureOptions {
   Texels texels = Texels::kRgba8;
   // Smaller pictures for what is seen from afar, each texel the mean of four. Of kRgba8 alone.
   bool mipmaps = false;
+  // Beyond its edges the picture begins again.
+  bool repeats = false;
 };
 
-// On the thread of its context. Storage is immutable: another size is another texture. Edges clamp.
+// A picture of kRgba8 and its smaller ones, each half as wide and half as high as the one before, down to one texel.
+// Rows as Texture has them.
+struct MipLevel {
+  std::vector<std::byte> bytes;
+  int width_px = 0;
+  int height_px = 0;
+};
+// Of `pixels`, which are the first level. Pure; on any thread: for a large picture it takes some 10 ms.
+std::vector<MipLevel> MipLevelsOf(std::vector<std::byte> pixels, int width_px, int height_px);
+
+// On the thread of its context. Storage is immutable: another size is another texture.
 class Texture {
  public:
   // No texture yet: id() is 0.
   Texture() = default;
-  // `pixels` holds the rows one after another, without padding, the one at v = 0 first; empty leaves them
-  // unset. Mipmaps are made of them here, on the processor.
+  // Its pixels are unset.
+  explicit Texture(const TextureOptions& options);
+  // `pixels` holds the rows one after another, without padding, the one at v = 0 first. Without mipmaps.
   Texture(const TextureOptions& options, std::span<const std::byte> pixels);
+  // The same with mipmaps that were made before; `levels` as MipLevelsOf gives them, of the options' size.
+  Texture(const TextureOptions& options, std::span<const MipLevel> levels);
 
   // Replaces the first `rows` rows of the picture. For textures without mipmaps. May wait for draws that
   // still read them.

@@ -7,6 +7,7 @@
 
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
+#include "render/passes/pores.h"
 #include "render/passes/skin_texture.h"
 
 namespace kaori::passes {
@@ -14,6 +15,10 @@ namespace {
 
 // As many as body.frag mixes.
 constexpr std::size_t kMostTextures = 4;
+
+// Behind those of the skins.
+constexpr int kDepthsUnit = kMostTextures;
+constexpr int kPoresUnit = kDepthsUnit + 1;
 
 // The textures of the faces in their order, each once, and their weights.
 class Mixture {
@@ -59,21 +64,36 @@ constexpr float kUnseen = 1.0F / 512;
 
 }  // namespace
 
-Result<void> BodyPass::AddVariant(int textures) {
-  auto program = MakeProgram("body.vert", "body.frag", fmt::format("#define TEXTURES {}\n", textures));
+Result<void> BodyPass::AddVariant(int textures, Quality quality) {
+  auto program = MakeProgram("body.vert", "body.frag",
+                             fmt::format("#define TEXTURES {}\n{}", textures,
+                                         quality == Quality::kFine ? "#define BY_PIXEL\n" : ""));
   if (!program) return tl::unexpected(program.error());
   Variant& v = variants_[static_cast<std::size_t>(textures / 2)];
   v.program = std::move(*program);
   v.surface = v.program.Find("surface");
   v.weights = v.program.Find("weights");
   for (int i = 0; i < textures; ++i) v.program.BindSampler(fmt::format("texture{}", i).c_str(), i);
+  v.program.BindSampler("depths", kDepthsUnit);
+  v.program.BindSampler("pores", kPoresUnit);
   return {};
 }
 
-Result<BodyPass> BodyPass::Open(const face::Cast& cast) {
+Result<void> BodyPass::AddFine() {
+  auto depth = MakeProgram("body.vert", "depth.frag", "#define BY_PIXEL\n");
+  if (!depth) return tl::unexpected(depth.error());
+  depth_ = std::move(*depth);
+  pores_ = MakePores();
+  return {};
+}
+
+Result<BodyPass> BodyPass::Open(const face::Cast& cast, Quality quality) {
   BodyPass pass;
   for (const int textures : {1, 2, 4}) {
-    if (auto added = pass.AddVariant(textures); !added) return tl::unexpected(added.error());
+    if (auto added = pass.AddVariant(textures, quality); !added) return tl::unexpected(added.error());
+  }
+  if (quality == Quality::kFine) {
+    if (auto added = pass.AddFine(); !added) return tl::unexpected(added.error());
   }
   pass.cast_ = &cast;
   pass.textures_.resize(cast.textures.size());
@@ -94,6 +114,10 @@ const gl::Texture& BodyPass::Skin(int texture) {
   return textures_[index];
 }
 
+void BodyPass::Provide(int texture, const std::vector<gl::MipLevel>& levels) {
+  textures_[static_cast<std::size_t>(texture)] = LoadSkin(levels);
+}
+
 bool BodyPass::LoadNext() {
   const auto waits = [&](const Look& look) {
     return textures_[static_cast<std::size_t>(look.texture)].id() == 0;
@@ -105,7 +129,8 @@ bool BodyPass::LoadNext() {
 }
 
 // Softness and metal are blended as numbers, paint in the shader.
-void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed) {
+void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed,
+                    const gl::DepthMap* depths) {
   Mixture mixture;
   glm::vec2 answer{};
   for (const face::Term& term : shape.faces) {
@@ -119,12 +144,22 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
   for (const auto& share : used)
     Skin(share.texture);  // Loading one binds it; so all before the first is bound.
   for (unsigned unit = 0; unit < used.size(); ++unit) Skin(used[unit].texture).Bind(unit);
+  if (depths != nullptr) {
+    depths->Bind(kDepthsUnit);
+    pores_.Bind(kPoresUnit);
+  }
   gl::Apply({});
   variant.program.Use();
   gl::Program::Set(variant.surface, answer);
   gl::Program::Set(variant.weights, mixture.weights());
   const bool alone = shape.faces.size() == 1;
   (dressed && alone ? surface.fine_worn(shape.faces[0].index) : surface.fine()).Draw();
+}
+
+void BodyPass::DrawDepth(const Surface& surface) const {
+  gl::Apply({});
+  depth_.Use();
+  surface.fine().Draw();
 }
 
 }  // namespace kaori::passes

@@ -1,4 +1,4 @@
-// The face's skin: textured, lit a vertex at a time; up to four faces share it while they cross-fade.
+// The face's skin: textured, lit a vertex or a pixel at a time; up to four faces share it while they cross-fade.
 #pragma once
 
 #include <array>
@@ -7,8 +7,10 @@
 
 #include "render/face/cast.h"
 #include "render/face/composer.h"
+#include "render/gl/depth_map.h"
 #include "render/gl/program.h"
 #include "render/gl/texture.h"
+#include "render/passes/quality.h"
 #include "render/passes/surface.h"
 
 namespace kaori::passes {
@@ -18,13 +20,20 @@ namespace kaori::passes {
 class BodyPass {
  public:
   // Borrows the cast. No texture is loaded yet. Errors: invalid_argument (a shader).
-  static Result<BodyPass> Open(const face::Cast& cast);
+  static Result<BodyPass> Open(const face::Cast& cast, Quality quality);
 
   // Draws the surface's fine mesh (Surface::WriteFine comes before) with the four heaviest textures of
   // Shape::faces, each by its weight. `dressed`: all hair and clothes of the faces are drawn, so
   // that skin beneath need not be. A texture that is not loaded yet is loaded now, which stalls the
   // frame: see LoadNext.
-  void Draw(const Surface& surface, const face::Shape& shape, bool dressed);
+  // `depths` are the key lamp's in this frame; null where the quality is basic.
+  void Draw(const Surface& surface, const face::Shape& shape, bool dressed, const gl::DepthMap* depths);
+  // Draws the surface's fine mesh into depth alone, whole: hair and clothes hide nothing from the lamp that is not
+  // theirs to shade. Of the fine quality.
+  void DrawDepth(const Surface& surface) const;
+
+  // Loads the cast's texture of this index, of levels that were made before.
+  void Provide(int texture, const std::vector<gl::MipLevel>& levels);
 
   // A skin is loaded when it is first drawn, so that the first face need not wait for the others. This loads
   // one that no face has shown yet; false where none is left. Blocks for 10 to 40 ms; between frames.
@@ -44,7 +53,9 @@ class BodyPass {
     glm::vec2 surface{};
   };
   // `textures`: 1, 2 or 4.
-  Result<void> AddVariant(int textures);
+  Result<void> AddVariant(int textures, Quality quality);
+  // What the fine quality needs besides.
+  Result<void> AddFine();
   // The shader that draws this many textures, 1 to 4.
   const Variant& VariantFor(std::size_t textures) const;
   // The cast's texture of this index, loaded now where it is not there yet.
@@ -57,6 +68,9 @@ class BodyPass {
   std::vector<gl::Texture> textures_;
   // One for each face.
   std::vector<Look> looks_;
+  // Of the fine quality.
+  gl::Program depth_;
+  gl::Texture pores_;
 };
 
 }  // namespace kaori::passes

@@ -25,6 +25,27 @@ constexpr float kBreath_m = 0.004F;
 // From the camera's right, low: cool, opposite to the key light.
 constexpr glm::vec3 kFillLight{0.80F, 0.10F, 0.50F};
 
+// Above the point about which the head turns, and before it: the middle of what throws shadows; and how far they
+// are followed from there, across the light and along it.
+constexpr glm::vec3 kShadowed_m{0, 0.07F, 0.02F};
+constexpr float kShadowReach_m = 0.24F;
+constexpr float kShadowDepth_m = 0.40F;
+
+// Parallel light from `towards`, a unit vector in the camera's frame. Its own axes: x and y across it, z towards
+// the lamp, whose clip space counts depth the other way.
+glm::mat4 LampOf(glm::vec3 towards, glm::vec3 middle_m) {
+  const glm::vec3 aside = std::abs(towards.y) < 0.99F ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
+  const glm::vec3 x = glm::normalize(glm::cross(aside, towards));
+  const glm::vec3 y = glm::cross(towards, x);
+  glm::mat4 lamp(1);
+  for (int axis = 0; axis < 3; ++axis) {
+    lamp[axis] = {x[axis] / kShadowReach_m, y[axis] / kShadowReach_m, -towards[axis] / kShadowDepth_m, 0};
+  }
+  lamp[3] = {0, 0, 0, 1};
+  lamp[3] = lamp * glm::vec4(-middle_m, 1);
+  return lamp;
+}
+
 }  // namespace
 
 // The lower edge of the reference face's neck is the lowest vertex of all.
@@ -55,6 +76,8 @@ FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canv
   f.fill = {glm::normalize(kFillLight), soft_share};
   f.up = {glm::mat3(f.view) * glm::vec3(0, 1, 0), scene.breath * kBreath_m};
   f.sway = {scene.hair_sway_rad, canvas_px};
+  const glm::vec3 shadowed_m = neck.pivot + kShadowed_m + scene.head.shift_m;
+  f.lamp = LampOf(glm::vec3(f.key), glm::vec3(f.view * glm::vec4(shadowed_m, 1)));
   return f;
 }
 

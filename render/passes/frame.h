@@ -40,6 +40,8 @@ struct FrameBlock {
   glm::vec4 up;
   // xy: how far tips of hair swing, radians, sideways and forwards; zw: the canvas in pixels.
   glm::vec4 sway;
+  // Camera to the key lamp's clip space: parallel light, the head and the collar within it.
+  glm::mat4 lamp;
 };
 
 // Where the neck starts and ends to follow the head, from the reference face. Heights along Y: below the

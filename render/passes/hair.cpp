@@ -30,6 +30,7 @@ constexpr float kBeyondTips = 1.35F;
 // The order of hair runs from the one to the other.
 constexpr glm::vec3 kCrown_m{0, 0.125F, 0};
 constexpr glm::vec3 kTips_m{0, -0.09F, 0};
+constexpr int kHairDepthsUnit = 0;
 
 template <class Predicate>
 bool AnyHair(const Appearance& appearance, std::size_t face, const Predicate& is) {
@@ -122,32 +123,57 @@ Result<HairPass::Variant> HairPass::MakeVariant(std::string defines) {
   v.part = program->Find("part");
   v.motion = program->Find("motion");
   v.span = program->Find("span_px");
+  program->BindSampler("depths", kHairDepthsUnit);
   v.program = std::move(*program);
   return v;
 }
 
-Result<HairPass> HairPass::Open() {
-  auto whole = MakeVariant("");
+Result<HairPass::Pair> HairPass::MakePair(const std::string& defines) {
+  auto whole = MakeVariant(defines);
   if (!whole) return tl::unexpected(whole.error());
-  auto growing = MakeVariant("#define GROWTH\n");
+  auto growing = MakeVariant(defines + "#define GROWTH\n");
   if (!growing) return tl::unexpected(growing.error());
+  return Pair{std::move(*whole), std::move(*growing)};
+}
+
+// The basic pair draws depth in either quality.
+Result<HairPass> HairPass::Open(Quality quality) {
   HairPass pass;
-  pass.whole_ = std::move(*whole);
-  pass.growing_ = std::move(*growing);
+  auto basic = MakePair("");
+  if (!basic) return tl::unexpected(basic.error());
+  pass.basic_ = std::move(*basic);
+  if (quality == Quality::kBasic) return pass;
+  auto fine = MakePair("#define BY_PIXEL\n");
+  if (!fine) return tl::unexpected(fine.error());
+  pass.fine_ = std::move(*fine);
   return pass;
 }
 
-void HairPass::Draw(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame) const {
+void HairPass::Draw(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame,
+                    const gl::DepthMap* depths) const {
+  if (depths == nullptr) return DrawBy(basic_, gl::Blend::kReplace, appearance, hairdo, frame);
+  depths->Bind(kHairDepthsUnit);
+  DrawBy(fine_, gl::Blend::kCoverage, appearance, hairdo, frame);
+}
+
+void HairPass::DrawDepth(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame) const {
+  DrawBy(basic_, gl::Blend::kReplace, appearance, hairdo, frame);
+}
+
+void HairPass::DrawBy(const Pair& pair, gl::Blend blend_of_whole, const Appearance& appearance,
+                      const Hairdo& hairdo, const FrameBlock& frame) const {
   const float crown_px = HeightInPicture_px(frame, kCrown_m, Follows::kHead);
   const float tips_px = HeightInPicture_px(frame, kTips_m, Follows::kHead);
   const glm::vec2 span_px(crown_px, std::max(crown_px - tips_px, 1.0F));
-  for (const WornHair& worn : hairdo.worn()) DrawWorn(appearance, worn, span_px);
+  for (const WornHair& worn : hairdo.worn()) {
+    gl::Apply({.blend = worn.whole ? blend_of_whole : gl::Blend::kCoverage});
+    DrawWorn(worn.whole ? pair.whole : pair.growing, appearance, worn, span_px);
+  }
 }
 
 // Hard things do not shorten: they thin out by their face's presence, and are drawn also where hair has gone.
-void HairPass::DrawWorn(const Appearance& appearance, const WornHair& worn, glm::vec2 span_px) const {
-  const Variant& variant = worn.whole ? whole_ : growing_;
-  gl::Apply({.blend = worn.whole ? gl::Blend::kReplace : gl::Blend::kCoverage});
+void HairPass::DrawWorn(const Variant& variant, const Appearance& appearance, const WornHair& worn,
+                        glm::vec2 span_px) const {
   variant.program.Use();
   gl::Program::Set(variant.span, span_px);
   gl::Program::Set(variant.motion, std::span<const glm::vec4>(worn.motion));

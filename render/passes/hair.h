@@ -1,10 +1,13 @@
 // Hair: locks with a band of light, and the hard things that are worn with it.
 #pragma once
 
+#include "render/gl/depth_map.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/program.h"
 #include "render/passes/frame.h"
 #include "render/passes/head_fit.h"
 #include "render/passes/prop_mesh.h"
+#include "render/passes/quality.h"
 
 namespace kaori::passes {
 
@@ -42,16 +45,20 @@ class Hairdo {
   float reach_m_ = 0;
 };
 
-// All hair is one kind of mesh, lit by its tangents (Kajiya and Kay 1989) in the vertex shader.
+// All hair is one kind of mesh, lit by its tangents (Kajiya and Kay 1989), in basic quality in the vertex shader.
 class HairPass {
  public:
-  // Compiles two variants of one shader. Errors: invalid_argument (a shader).
-  static Result<HairPass> Open();
+  // Compiles two variants of one shader, of fine quality two more. Errors: invalid_argument (a shader).
+  static Result<HairPass> Open(Quality quality);
 
   // Hair of two faces shares the picture as clothes do. Where faces have none, hair shortens into the scalp.
   // Samples of pixels are left out (alpha to coverage) instead of blended, so that nothing
-  // needs sorting; it therefore needs a layer with samples.
-  void Draw(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame) const;
+  // needs sorting; it therefore needs a layer with samples. `depths` are the key lamp's in this frame; null
+  // where the quality is basic.
+  void Draw(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame,
+            const gl::DepthMap* depths) const;
+  // The same into depth alone; its colours are lost.
+  void DrawDepth(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame) const;
 
  private:
   // Whole hair, and hair that grows or gives way: the latter discards samples, which costs more.
@@ -64,14 +71,25 @@ class HairPass {
     int motion = -1;
     int span = -1;
   };
-  // `defines`: nothing, or GROWTH.
+  // Whole hair is seldom anything else; the other is for fades.
+  struct Pair {
+    Variant whole;
+    Variant growing;
+  };
+  // `defines`: nothing, GROWTH, BY_PIXEL or both.
   static Result<Variant> MakeVariant(std::string defines);
+  static Result<Pair> MakePair(const std::string& defines);
+  // All that is worn, by this pair.
+  void DrawBy(const Pair& pair, gl::Blend blend_of_whole, const Appearance& appearance, const Hairdo& hairdo,
+              const FrameBlock& frame) const;
   // One face's hair, and the hard things that are worn with it. `span_px`: where the order of hair begins,
   // and its length.
-  void DrawWorn(const Appearance& appearance, const WornHair& worn, glm::vec2 span_px) const;
+  void DrawWorn(const Variant& variant, const Appearance& appearance, const WornHair& worn,
+                glm::vec2 span_px) const;
 
-  Variant whole_;
-  Variant growing_;
+  Pair basic_;
+  // Of fine quality.
+  Pair fine_;
 };
 
 }  // namespace kaori::passes

@@ -159,8 +159,7 @@ HandlesPass::HandlesPass(gl::Program program, const face::Cast& cast)
       handles_(net_->points.size()),
       texture_({.width_px = kTexelsEach,
                 .height_px = std::max(static_cast<int>(net_->points.size()), 1),
-                .texels = gl::Texels::kFloat4},
-               {}),
+                .texels = gl::Texels::kFloat4}),
       corners_(gl::Buffer::Of(std::span<const Corner>(HandleCorners()))),
       handle_({{corners_, sizeof(Corner), {{0, 3, gl::Scalar::kFloat, 0}, {1, 2, gl::Scalar::kFloat, 12}}}},
               HandleIndices()) {

@@ -18,6 +18,9 @@ constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 constexpr float kPainterUnseen = 1.0F / 1024;
 constexpr float kPainterWhole = 1 - kPainterUnseen;
 
+// Of the map of the lamp's depths: half a millimetre of the face each texel.
+constexpr int kShadowSide_px = 1024;
+
 // Behind glowing lines the stage is darker.
 constexpr float kWireBackdrop = 0.10F;
 
@@ -79,7 +82,9 @@ void Keep(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
 }  // namespace
 
 Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
-    : composer(std::move(prepared.composer)),
+    : painted(&cast),
+      composer(std::move(prepared.composer)),
+      squeeze(cast.topology),
       neck(NeckOf(cast)),
       necks(cast),
       edges(std::move(prepared.edges)),
@@ -90,13 +95,11 @@ Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
 }
 
 // All are opened, so that all shaders are compiled by the time of the first frame.
-Result<void> Painter::Parts::Open(const face::Cast& cast) {
-  Result<void> outcome;
-  Keep(BodyPass::Open(cast), body, outcome);
+Result<void> Painter::Parts::Open(const face::Cast& cast, Quality wanted) {
+  Result<void> outcome = SetQuality(wanted);
   Keep(EyesPass::Open(cast.topology), eyes, outcome);
   Keep(LashesPass::Open(cast.topology), lashes, outcome);
   Keep(MouthPass::Open(cast), mouth, outcome);
-  Keep(HairPass::Open(), hair, outcome);
   Keep(ClothesPass::Open(), clothes, outcome);
   Keep(FlatPass::Open(cast), flat, outcome);
   Keep(WirePass::Open(cast), wire, outcome);
@@ -107,13 +110,54 @@ Result<void> Painter::Parts::Open(const face::Cast& cast) {
   return outcome;
 }
 
+// Skins are loaded anew for the other pass, one by one, when they are shown.
+Result<void> Painter::Parts::SetQuality(Quality wanted) {
+  if (body && wanted == quality) return {};
+  auto skin = BodyPass::Open(*painted, wanted);
+  if (!skin) return tl::unexpected(skin.error());
+  auto locks = HairPass::Open(wanted);
+  if (!locks) return tl::unexpected(locks.error());
+  std::optional<gl::DepthMap> map;
+  if (wanted == Quality::kFine) {
+    auto made = gl::DepthMap::Make(kShadowSide_px);
+    if (!made) return tl::unexpected(made.error());
+    map.emplace(std::move(*made));
+  }
+  body.emplace(std::move(*skin));
+  hair.emplace(std::move(*locks));
+  depths = std::move(map);
+  quality = wanted;
+  return {};
+}
+
+// As large as at every frame before, so that nothing is allocated.
+void Painter::Parts::ComposeAtRest(const face::Weights& weights) {
+  face::Weights at_rest;
+  at_rest.faces = weights.faces;
+  const auto cage = composer.Compose(at_rest, face::Detail::kCage).cage;
+  rest.assign(cage.begin(), cage.end());
+}
+
+// By the same shaders as the picture, through the lamp instead of the camera.
+void Painter::Parts::DrawShadows() {
+  FrameBlock by_lamp = block;
+  by_lamp.projection = block.lamp;
+  frame.Write(std::as_bytes(std::span(&by_lamp, 1)));
+  frame.BindUniforms(kFrameBinding);
+  depths->Begin();
+  hair->DrawDepth(appearance, hairdo, block);
+  clothes->Draw(appearance, dressing, block);
+  body->DrawDepth(surface);
+  frame.Write(std::as_bytes(std::span(&block, 1)));
+  frame.BindUniforms(kFrameBinding);
+}
+
 // Front to back, so that what is hidden costs little.
 void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& shape) {
-  surface.WriteFine(shape);
-  hair->Draw(appearance, hairdo, block);
+  hair->Draw(appearance, hairdo, block, LampDepths());
   lashes->Draw(shape);
   clothes->Draw(appearance, dressing, block);
-  body->Draw(surface, shape, HairShare(scene) > kPainterWhole);
+  body->Draw(surface, shape, HairShare(scene) > kPainterWhole, LampDepths());
   eyes->Draw(shape, scene.gaze, scene.pupil);
   mouth->Draw(appearance, shape);
 }
@@ -160,9 +204,12 @@ Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context& context, const
 }
 
 Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context&, const face::Cast& cast,
-                                               Preparation prepared) {
+                                               Preparation prepared, Quality quality) {
+  const std::vector<gl::MipLevel> skin = std::move(prepared.skin);
+  const int first_skin = prepared.first_skin;
   auto parts = std::make_unique<Parts>(cast, std::move(prepared));
-  if (auto opened = parts->Open(cast); !opened) return tl::unexpected(opened.error());
+  if (auto opened = parts->Open(cast, quality); !opened) return tl::unexpected(opened.error());
+  if (!skin.empty()) parts->body->Provide(first_skin, skin);
   return std::unique_ptr<Painter>(new Painter(std::move(parts)));
 }
 
@@ -173,6 +220,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const scene::Scene& scene = p.sane;
   // The other styles need the cage alone.
   const bool fine = WeightOf(scene, Group::kTextured) > kPainterUnseen;
+  if (fine && p.depths) p.ComposeAtRest(scene.weights);
   const face::Shape& shape =
       p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
   p.appearance.Weigh(shape.faces);
@@ -187,6 +235,11 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const gl::Texture& behind = p.backdrop->picture();
   const std::uint64_t version = p.backdrop->version();
   p.layer->LayBackdropAround(canvas, figure, {behind, version, MixedLightBehind(scene)});
+  if (fine) p.surface.WriteFine(shape);
+  if (fine && p.depths) {
+    p.surface.WriteSqueeze(p.squeeze.Between(p.rest, shape.cage));
+    p.DrawShadows();
+  }
   const float print = PrintShare(p.prints, shape.faces);
   // Who has left leaves a layer without a figure, by which the others are thinned.
   float laid = 1 - scene.present;
@@ -211,6 +264,17 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
                   .dots = print > 0 ? DotsOn(p.block) : glm::vec4(0, 0, 1, 0)});
   }
   p.caption->Draw(scene.caption, canvas);
+}
+
+Quality Painter::quality() const {
+  return parts_->quality;
+}
+
+// What was warmed up of the body is to be warmed up again.
+Result<void> Painter::SetQuality(Quality quality) {
+  auto set = parts_->SetQuality(quality);
+  if (set) parts_->warmed_up = 0;
+  return set;
 }
 
 void Painter::Renew(std::size_t expression) {

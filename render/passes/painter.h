@@ -9,6 +9,7 @@
 #include "render/face/composer.h"
 #include "render/gl/canvas.h"
 #include "render/gl/context.h"
+#include "render/passes/quality.h"
 #include "render/scene/scene.h"
 
 namespace kaori::passes {
@@ -25,8 +26,13 @@ class Painter {
   static Result<std::unique_ptr<Painter>> Open(const gl::Context& context, const face::Cast& cast);
   // The same, with what needs no driver worked out beforehand: `prepared` is of this cast. Blocks less.
   static Result<std::unique_ptr<Painter>> Open(const gl::Context& context, const face::Cast& cast,
-                                               Preparation prepared);
+                                               Preparation prepared, Quality quality = Quality::kBasic);
   ~Painter();
+
+  Quality quality() const;
+  // Draws so from here on. Blocks while shaders compile that were not needed before. Errors: as Open; it then
+  // draws as before.
+  Result<void> SetQuality(Quality quality);
 
   // Makes the picture of `scene` on `canvas`, of any size. Values that are none are replaced (see
   // sane_scene.h). Allocates nothing, but where a backdrop's picture, a skin, a caption or a canvas's size is

@@ -8,6 +8,7 @@
 
 #include "render/face/composer.h"
 #include "render/gl/buffer.h"
+#include "render/gl/depth_map.h"
 #include "render/passes/backdrop.h"
 #include "render/passes/body.h"
 #include "render/passes/caption.h"
@@ -24,6 +25,7 @@
 #include "render/passes/mouth.h"
 #include "render/passes/painter.h"
 #include "render/passes/preparation.h"
+#include "render/passes/squeeze.h"
 #include "render/passes/surface.h"
 #include "render/passes/wire.h"
 
@@ -37,7 +39,13 @@ struct Painter::Parts {
   // Takes over what was prepared.
   Parts(const face::Cast& cast, Preparation prepared);
   // Opens all passes, and goes on after a fault; the first one is the error.
-  Result<void> Open(const face::Cast& cast);
+  Result<void> Open(const face::Cast& cast, Quality quality);
+  // Opens what draws in this quality, and changes nothing where that fails.
+  Result<void> SetQuality(Quality quality);
+  // Composes the faces of these weights at rest, for the fine quality: what an expression presses is measured from there.
+  void ComposeAtRest(const face::Weights& weights);
+  // Draws what the key lamp sees into `depths`. For the fine quality, before the layer is begun; the frame is bound.
+  void DrawShadows();
   // Writes and binds the uniforms of a frame.
   void BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
   // Into the layer that is begun.
@@ -69,7 +77,17 @@ struct Painter::Parts {
   // Lines over a dark body.
   void DrawWire(const scene::Scene& scene, const face::Shape& shape);
 
+  // Borrowed.
+  const face::Cast* painted;
+  Quality quality = Quality::kBasic;
+  // Of the key lamp; made for the fine quality alone.
+  std::optional<gl::DepthMap> depths;
+  // Null where the quality is basic.
+  const gl::DepthMap* LampDepths() const { return depths ? &*depths : nullptr; }
   face::Composer composer;
+  Squeeze squeeze;
+  // The cage of the frame's faces without expressions; of the fine quality.
+  std::vector<glm::vec3> rest;
   // Of each face, how much of a poster it is.
   std::vector<float> prints;
   // Where the neck bends, from the reference face.

@@ -38,12 +38,12 @@ void Painter::Parts::WarmUp(Shader shader) {
       return mouth->Draw(appearance, shape);
     case Shader::kHair:
       hairdo.Comb(appearance, head_fit, shape.faces, 0.5F);
-      return hair->Draw(appearance, hairdo, block);
+      return hair->Draw(appearance, hairdo, block, LampDepths());
     case Shader::kClothes:
       return clothes->Draw(appearance, dressing, block);
     case Shader::kBody2:
     case Shader::kBody4:
-      return body->Draw(surface, shape, false);
+      return body->Draw(surface, shape, false, LampDepths());
     case Shader::kFlat:
       return flat->Draw(shape);
     case Shader::kDarkEyes:

@@ -63,15 +63,17 @@ std::vector<Triangles> SeenWhenWorn(const face::Cast& cast) {
 Surface::Arrays::Arrays(std::size_t vertices)
     : positions(gl::BufferUse::kEachFrame, vertices * sizeof(glm::vec3)),
       normals(gl::BufferUse::kEachFrame, vertices * sizeof(glm::vec3)),
-      open(gl::BufferUse::kEachFrame, vertices * sizeof(float)) {}
+      open(gl::BufferUse::kEachFrame, vertices * sizeof(float)),
+      pressed(gl::BufferUse::kEachFrame, vertices * sizeof(glm::vec2)) {}
 
-// Locations as body.vert and wire_body.vert read them: position, normal, occlusion, texture coordinates.
+// Locations as body.vert and wire_body.vert read them: position, normal, occlusion, texture coordinates, pressure.
 gl::Mesh Surface::Arrays::Join(const gl::Buffer& uv, std::span<const face::Triangle> triangles) const {
   using gl::Scalar;
   return gl::Mesh({{positions, sizeof(glm::vec3), {{0, 3, Scalar::kFloat, 0}}},
                    {normals, sizeof(glm::vec3), {{1, 3, Scalar::kFloat, 0}}},
                    {open, sizeof(float), {{2, 1, Scalar::kFloat, 0}}},
-                   {uv, sizeof(glm::vec2), {{3, 2, Scalar::kFloat, 0}}}},
+                   {uv, sizeof(glm::vec2), {{3, 2, Scalar::kFloat, 0}}},
+                   {pressed, sizeof(glm::vec2), {{4, 2, Scalar::kFloat, 0}}}},
                   Flatten(triangles));
 }
 
@@ -91,6 +93,10 @@ void Surface::WriteFine(const face::Shape& shape) {
   fine_.positions.Write(std::as_bytes(shape.fine));
   fine_.normals.Write(std::as_bytes(shape.fine_normals));
   fine_.open.Write(std::as_bytes(shape.fine_occlusion));
+}
+
+void Surface::WriteSqueeze(std::span<const glm::vec2> pressed) {
+  fine_.pressed.Write(std::as_bytes(pressed));
 }
 
 void Surface::WriteCage(const face::Shape& shape) {

@@ -28,6 +28,8 @@ class Surface {
   void WriteFine(const face::Shape& shape);
   // The same of the cage, for the wireframe.
   void WriteCage(const face::Shape& shape);
+  // For the fine quality: how far the skin is pressed together, one for each vertex of the fine mesh (see squeeze.h).
+  void WriteSqueeze(std::span<const glm::vec2> pressed);
 
   // The fine mesh, whole; and what of it is seen when `face` is all alone.
   const gl::Mesh& fine() const { return fine_mesh_; }
@@ -41,6 +43,8 @@ class Surface {
     explicit Arrays(std::size_t vertices);
     gl::Mesh Join(const gl::Buffer& uv, std::span<const face::Triangle> triangles) const;
     gl::Buffer positions, normals, open;
+    // Of the fine mesh alone; written for the fine quality alone.
+    gl::Buffer pressed;
   };
   // Meshes borrow these.
   gl::Buffer fine_uv_;

@@ -117,8 +117,7 @@ WirePass::WirePass(gl::Program body, gl::Program lines, const face::Cast& cast)
       fades_(FadesOf(cast.topology)),
       points_(static_cast<std::size_t>(TextureRows(cage_points_ + kCircles * kCircle) * kTexture_px)),
       texture_(
-          {.width_px = kTexture_px, .height_px = TextureRows(points_.size()), .texels = gl::Texels::kFloat4},
-          {}),
+          {.width_px = kTexture_px, .height_px = TextureRows(points_.size()), .texels = gl::Texels::kFloat4}),
       corners_(gl::Buffer::Of(std::span<const RibbonCorner>(RibbonCorners(cast.topology)))),
       ribbons_(
           {{corners_, sizeof(RibbonCorner), {{0, 2, gl::Scalar::kUInt, 0}, {1, 2, gl::Scalar::kFloat, 8}}}},

@@ -1,7 +1,19 @@
-// Up to TEXTURES faces share the skin, each by its weight.
+// Up to TEXTURES faces share the skin, each by its weight. BY_PIXEL: light is evaluated here, with shadows and pores.
 #include "skin_texture.glsl"
+#ifdef BY_PIXEL
+#include "frame.glsl"
+#include "light.glsl"
+#include "skin.glsl"
+#include "fine_skin.glsl"
+in vec2 pressed;
+in vec3 in_camera;
+in vec3 facing;
+in vec4 rest;
+uniform vec2 surface;
+#else
 in vec4 lit;
 in vec3 rest;
+#endif
 uniform sampler2D texture0;
 #if TEXTURES > 1
 uniform sampler2D texture1;
@@ -22,6 +34,11 @@ void main() {
 #if TEXTURES > 2
   skin += weights.z * SkinAt(texture2, rest.xy) + weights.w * SkinAt(texture3, rest.xy);
 #endif
+#ifdef BY_PIXEL
+  Lit l = FineSkin(in_camera, normalize(facing), rest, surface, pressed);
+  vec3 light = skin.rgb * l.diffuse + (l.added + skin.a * l.gloss);
+#else
   vec3 light = skin.rgb * lit.rgb + (lit.a + skin.a * rest.z);
+#endif
   colour = vec4(sqrt(max(light, 0.0)), 1.0);  // Beyond a triangle's edge light may fall below 0.
 }

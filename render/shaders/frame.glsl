@@ -9,6 +9,7 @@ layout(std140) uniform Frame {
   vec4 fill;        // xyz: as key, of the fill light; w: share of today's soft light, the rest is 1993's plain one.
   vec4 up;          // xyz: the world's up in the camera's frame; w: metres that breath lifts the shoulders.
   vec4 sway;        // xy: how far hair tips swing, radians, sideways and forwards; zw: canvas in pixels.
+  mat4 lamp;        // Camera to the key lamp's clip space, for its shadows.
 };
 
 vec3 Rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }

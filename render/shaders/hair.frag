@@ -1,7 +1,19 @@
 // Stripes along the lock, none on hard things (`across` far below 0). With GROWTH only the lock's first part is there and
 // ends in strands; and hair of several faces shares the picture from the crown down. At a border the lower hair comes in
 // under the upper one, which then goes: one of them always covers, and neither is seen as dots.
+// BY_PIXEL: strands are lit one by one, in the lamp's shadows, and end unevenly.
+#ifdef BY_PIXEL
+#include "frame.glsl"
+#include "light.glsl"
+#include "fine_hair.glsl"
+in vec3 in_camera;
+in vec3 facing;
+in vec3 to_tip;
+in vec2 open_number;
+uniform vec3 paint;
+#else
 in vec4 lit;       // rgb; a: highlight.
+#endif
 in vec2 uv;     // Across the stripes, along the lock.
 uniform vec3 gleam;
 #ifdef GROWTH
@@ -27,12 +39,20 @@ float Share(float stripe) {
 #endif
 
 void main() {
-  float stripe = uv.x < -50.0 ? 0.55 : Zigzag(uv.x * 3.0 + 0.3 * uv.y) + Zigzag(uv.x * 7.3) * 0.8 + Zigzag(uv.x * 12.7) * 0.6;
-  vec3 c = lit.rgb * (0.62 + 0.63 * stripe) + gleam * (lit.a * (0.35 + 1.08 * stripe));
+  bool hard = uv.x < -50.0;
+  float stripe = hard ? 0.55 : Zigzag(uv.x * 3.0 + 0.3 * uv.y) + Zigzag(uv.x * 7.3) * 0.8 + Zigzag(uv.x * 12.7) * 0.6;
+#ifdef BY_PIXEL
+  vec4 lit = FineHair(in_camera, normalize(facing), normalize(to_tip), open_number, paint, stripe);
+  float present = hard ? 1.0 : StrandLeft(uv.y, Zigzag(uv.x * 3.0 + 0.3 * uv.y) + 0.8 * Zigzag(uv.x * 7.3));
+#else
   float present = 1.0;
+#endif
+  vec3 c = lit.rgb * (0.62 + 0.63 * stripe) + gleam * (lit.a * (0.35 + 1.08 * stripe));
 #ifdef GROWTH
   float left = left_of - 0.26 * stripe;
-  present = clamp(left * 12.0, 0.0, 1.0) * Share(stripe);
+  present *= clamp(left * 12.0, 0.0, 1.0) * Share(stripe);
+#endif
+#if defined(GROWTH) || defined(BY_PIXEL)
   if (present <= 0.0) discard;
 #endif
   colour = vec4(sqrt(max(c, 0.0)), present);  // Beyond a triangle's edge light may fall below 0.

@@ -1,4 +1,4 @@
-// Locks of hair: they turn with the head, their tips lag behind.
+// Locks of hair: they turn with the head, their tips lag behind. BY_PIXEL: they are lit by hair.frag.
 #include "frame.glsl"
 #include "light.glsl"
 layout(location = 0) in vec3 position;
@@ -7,8 +7,15 @@ layout(location = 2) in vec3 tangent;
 layout(location = 3) in vec3 lock_place;   // x along, y across, z shade.
 layout(location = 4) in float lock_number; // 0..1, one for each lock.
 #define lock vec4(lock_place, lock_number)
+#ifdef BY_PIXEL
+out vec3 in_camera;    // Metres.
+out vec3 facing;       // The normal and the direction to the tip, camera's frame; not of unit length between vertices.
+out vec3 to_tip;
+out vec2 open_number;  // x: how open it lies; y: the lock's number.
+#else
 uniform vec3 paint;
 out vec4 lit;
+#endif
 out vec2 uv;
 #ifdef GROWTH
 uniform vec2 grown;              // x: hair is there up to here, along the lock; y: how far hard things have sunk into the head.
@@ -64,6 +71,14 @@ void main() {
   vec3 p = RigidToCamera(Swing(position), n);
 #endif
   t = normalize(mat3(view) * Rotate(turn, t));
+  uv = vec2(lock.y + 5.0 * lock.w, lock.x);
+  gl_Position = projection * vec4(p, 1.0);
+#ifdef BY_PIXEL
+  in_camera = p;
+  facing = n;
+  to_tip = t;
+  open_number = vec2(lock.z, lock.w);
+#else
   vec3 toward_eye = normalize(-p);
   float facing = clamp(dot(n, toward_eye), 0.0, 1.0);
   float open = lock.z;
@@ -77,6 +92,5 @@ void main() {
   soft += edge * vec3(0.205, 0.162, 0.246) * 0.22 * open * (0.3 + 0.7 * sky);
   float highlight = band * 0.80 * open * (0.25 + 0.75 * diffuse) * fill.w * key.w;
   lit = vec4(mix(paint * 1.25 * PlainLight(n) * key.w, Shoulder(soft * key.w), fill.w), highlight);
-  uv = vec2(lock.y + 5.0 * lock.w, lock.x);
-  gl_Position = projection * vec4(p, 1.0);
+#endif
 }

@@ -1,5 +1,5 @@
-// Light on the composed face, evaluated once a vertex: the fine mesh is dense enough, and pixels stay cheap.
-// `surface`: x softness, y metal.
+// Light on the composed face, evaluated once a vertex: the fine mesh is dense enough, and pixels stay cheap. Or, with
+// BY_PIXEL, once a pixel. `surface`: x softness, y metal. `lamp_seen`: what of the key lamp's light is not in shadow.
 struct Lit {
   vec3 diffuse;     // Times the texture.
   float added;      // On top, white.
@@ -22,12 +22,12 @@ float UnderChin(float share) {
   return 1.0 - 0.46 * shade * clamp(dot(key.xyz, up.xyz) * 1.8, 0.0, 1.0);
 }
 
-Lit SoftSkin(vec3 p, vec3 n, float open, vec2 surface) {
+Lit SoftSkin(vec3 p, vec3 n, float open, vec2 surface, vec3 lamp_seen) {
   vec3 toward_eye = normalize(-p);
   float edge = 1.0 - clamp(dot(n, toward_eye), 0.0, 1.0);
   float sky = SkyShare(n);
   vec3 ao = pow(vec3(open), vec3(1.00, 1.40, 1.45));
-  vec3 light = SkinRamp(dot(n, key.xyz), surface.x) * kKeyColour * (0.25 + 0.80 * ao);
+  vec3 light = SkinRamp(dot(n, key.xyz), surface.x) * kKeyColour * (0.25 + 0.80 * ao) * lamp_seen;
   light += (kSky * (0.55 + 0.45 * sky) + kBounce * (1.0 - sky)) * ao;
   light += Ramp(dot(n, fill.xyz), 0.3) * kFillColour * ao;
   float h = clamp(dot(n, normalize(key.xyz + toward_eye)), 0.0, 1.0);
@@ -40,8 +40,8 @@ Lit SoftSkin(vec3 p, vec3 n, float open, vec2 surface) {
   return lit;
 }
 
-Lit Skin(vec3 p, vec3 n, float open, vec2 surface, float under_chin) {
-  Lit lit = SoftSkin(p, n, open, surface);
+Lit Skin(vec3 p, vec3 n, float open, vec2 surface, float under_chin, vec3 lamp_seen) {
+  Lit lit = SoftSkin(p, n, open, surface, lamp_seen);
   float soft = fill.w;
   lit.diffuse = mix(vec3(PlainLight(n)) * key.w, Shoulder(lit.diffuse * under_chin * key.w), soft);
   lit.added *= soft * key.w;

@@ -22,9 +22,9 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
       scene_(scene),
       appearance_(cast, passes::FormsOf(cast.props)),
       surface_(cast, passes::SeenWhenWorn(cast)),
-      body_(Must(passes::BodyPass::Open(cast))),
+      body_(Must(passes::BodyPass::Open(cast, passes::Quality::kBasic))),
       eyes_(Must(passes::EyesPass::Open(cast.topology))),
-      hair_(Must(passes::HairPass::Open())),
+      hair_(Must(passes::HairPass::Open(passes::Quality::kBasic))),
       clothes_(Must(passes::ClothesPass::Open())),
       dressing_(passes::Necks(cast).Dress(shape_.faces)),
       backdrop_(Must(passes::BackdropPass::Open(cast))),
@@ -44,9 +44,9 @@ void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
   const passes::LayerPass::Behind behind{backdrop_.picture(), backdrop_.version()};
   layer_.LayBackdropAround(canvas, figure_, behind);
   canvas.BeginLayer(figure_.bands, figure_.whole);
-  hair_.Draw(appearance_, hairdo_, block_);
+  hair_.Draw(appearance_, hairdo_, block_, nullptr);
   clothes_.Draw(appearance_, dressing_, block_);
-  body_.Draw(surface_, shape_, true);
+  body_.Draw(surface_, shape_, true, nullptr);
   eyes_.Draw(shape_, scene_.gaze, scene_.pupil);
   layer_.Lay(canvas, figure_, behind, {});
   canvas.ReadPixels(bytes);

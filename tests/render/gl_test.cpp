@@ -116,7 +116,9 @@ std::vector<std::uint8_t> Codes(int width_px, int height_px, Draw draw) {
 TEST_F(Gl, MakesEachSmallerPictureOfFourTexelsMeans) {
   constexpr std::array<std::uint8_t, 4 * 2 * 4> kTexels{10, 0, 0, 0, 20, 0, 0, 0, 90, 0, 0, 8, 90, 0, 0, 8,
                                                         30, 0, 0, 0, 40, 0, 0, 0, 90, 0, 0, 8, 94, 0, 0, 8};
-  const Texture texture({.width_px = 4, .height_px = 2, .mipmaps = true}, std::as_bytes(std::span(kTexels)));
+  const auto texels = std::as_bytes(std::span(kTexels));
+  const Texture texture({.width_px = 4, .height_px = 2, .mipmaps = true},
+                        MipLevelsOf({texels.begin(), texels.end()}, 4, 2));
   const auto program = Program::Make({.library = kFiles, .vertex = "whole.vert", .fragment = "level.frag"});
   ASSERT_TRUE(program) << program.error().message();
   const Mesh everywhere({}, 3);

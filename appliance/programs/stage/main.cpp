@@ -19,6 +19,7 @@
 #include "appliance/programs/stage/chosen_show.h"
 #include "appliance/programs/stage/evening.h"
 #include "appliance/programs/stage/last_face.h"
+#include "appliance/programs/stage/quality_choice.h"
 #include "appliance/programs/stage/rehearsal.h"
 #include "appliance/programs/stage/screen_session.h"
 #include "appliance/programs/stage/show_log.h"
@@ -140,11 +141,6 @@ kaori::Result<Loaded> LoadShow(const Settings& settings, const kaori::stage::Sho
       chosen->another};
 }
 
-int Rehearse(const std::string& pack) {
-  const auto plays = kaori::show::LoadPack(pack).and_then(kaori::stage::Rehearse);
-  return plays ? 0 : kaori::ExitWithError(plays.error());
-}
-
 // None where nobody says where; else what was kept there before is taken up.
 std::unique_ptr<kaori::stage::LastFace> LastFaceOf(
     const Settings& settings, const std::filesystem::path& pack, kaori::stage::Studio& studio,
@@ -237,6 +233,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto& [card, context, loaded] = *prepared;
   const auto studio = kaori::stage::Studio::Open(std::move(loaded.show), std::move(context));
   if (!studio) return kaori::ExitWithError(studio.error());
+  const auto quality = kaori::stage::ChooseQuality(**studio, settings.quality);
   kaori::stage::StillClock clock(!settings.still.empty());
   auto evening = kaori::stage::OpenEvening(settings.evening, loaded.pack, OwnFolder(settings) / "roles.toml",
                                            (*studio)->show());
@@ -254,8 +251,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (last_face)
     stage.CallAfterFrames(
         [&](const auto& state, const auto& scene, auto now) { last_face->Observe(state, scene, now); });
-  kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
-             (*studio)->renderer());
+  kaori::Log("{} is {} on {}; quality {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
+             (*studio)->renderer(), quality);
   auto alarm = kaori::Alarm::Make();
   if (!alarm) return kaori::ExitWithError(alarm.error());
   if (!settings.early) stage.SampleLate();
@@ -288,7 +285,10 @@ int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-stage");
   Settings settings;
   if (const auto status = kaori::stage::ParseOptions(argc, argv, settings)) return *status;
-  if (!settings.rehearse.empty()) return Rehearse(settings.rehearse);
+  if (!settings.rehearse.empty()) {
+    const auto plays = kaori::show::LoadPack(settings.rehearse).and_then(kaori::stage::Rehearse);
+    return plays ? 0 : kaori::ExitWithError(plays.error());
+  }
   if (!settings.mode.empty() && !kaori::scanout::ParseMode(settings.mode)) {
     kaori::LogError("--mode {}: expected width, height and rate, as in 1280x720@50", settings.mode);
     return 2;

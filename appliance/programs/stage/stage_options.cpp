@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "appliance/programs/stage/quality_choice.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 
@@ -29,6 +30,7 @@ constexpr std::string_view kStageHelp = R"(kaori-stage: draws the face that the 
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
+  --quality Q     how finely it draws: basic for processors, fine for graphics cards, auto (usual): what this machine draws in time
   --settings FOLDER what the box was told when it started (/run/kaori-profile)
   --fdkeeper SOCKET where the card is kept while no stage runs
   --still FILE    writes the show's first moment there, as a PPM
@@ -57,6 +59,7 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
       .Text("--without", into.evening.without)
       .Text("--at", into.evening.at)
       .Text("--mode", into.mode)
+      .Text("--quality", into.quality)
       .Text("--settings", into.settings)
       .Text("--fdkeeper", into.fdkeeper)
       .Text("--still", into.still)
@@ -64,6 +67,10 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
       .Switch("--early", into.early)
       .Switch("--verified", into.verified);
   if (const auto status = options.Parse(argc, argv)) return status;
+  if (!IsQualityWish(into.quality)) {
+    LogError("--quality {}: expected auto, basic or fine", into.quality);
+    return 2;
+  }
   if (!into.rehearse.empty()) return std::nullopt;
   if (into.board.empty() || into.pack.empty()) {
     LogError("this option is needed: {}", into.board.empty() ? "--board" : "--pack");

@@ -22,16 +22,39 @@ Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepa
   return studio;
 }
 
+Result<void> Studio::Resize(int width_px, int height_px) {
+  if (canvas_.width_px() == width_px && canvas_.height_px() == height_px) return {};
+  auto canvas = gl::Canvas::Make({.width_px = width_px, .height_px = height_px});
+  if (!canvas) return tl::unexpected(canvas.error());
+  canvas_ = std::move(*canvas);
+  return {};
+}
+
+// What was readied of the other quality is to be readied again.
+Result<void> Studio::SetQuality(passes::Quality quality) {
+  auto set = painter_->SetQuality(quality);
+  if (set) unprepared_ = true;
+  return set;
+}
+
+// The picture is read back small, which waits for all of it.
+Result<Duration> Studio::TimeFrame(const scene::Scene& scene, int width_px, int height_px) {
+  constexpr int kGlance_px = 32;
+  if (auto resized = Resize(width_px, height_px); !resized) return tl::unexpected(resized.error());
+  const SteadyClock clock;
+  const Time begun = clock.now();
+  painter_->Draw(scene, canvas_);
+  SmallImage glance;
+  ReadSmall(kGlance_px, glance);
+  return clock.now() - begun;
+}
+
 // Drawing always goes to the canvas, which then is copied out: into the screen's memory, or by one more pass
 // into its window. So the picture of the last face can be read from it whatever the screen is.
 Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& picture) {
   drew_ = asked_++ % one_of_ == 0;
   if (!drew_) return {};
-  if (canvas_.width_px() != picture.width_px || canvas_.height_px() != picture.height_px) {
-    auto canvas = gl::Canvas::Make({.width_px = picture.width_px, .height_px = picture.height_px});
-    if (!canvas) return tl::unexpected(canvas.error());
-    canvas_ = std::move(*canvas);
-  }
+  if (auto resized = Resize(picture.width_px, picture.height_px); !resized) return resized;
   painter_->Draw(scene, canvas_);
   if (const auto* egl = std::get_if<ports::EglSurface>(&picture.target)) return ShowIn(egl->surface);
   canvas_.ReadPixels(picture.memory());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "appliance/core/show/show.h"
+#include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/ports/scanout.h"
 #include "render/gl/canvas.h"
@@ -36,7 +37,9 @@ struct SmallImage {
 // is made beside the opening of the GL context, which takes about as long.
 class PreparedShow {
  public:
-  explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {}
+  explicit PreparedShow(show::Show show)
+      : show_(std::move(show)),
+        preparation_(show_.cast, show_.scenes.empty() ? 0 : show_.scenes.front().face) {}
   PreparedShow(const PreparedShow&) = delete;
   PreparedShow& operator=(const PreparedShow&) = delete;
 
@@ -94,6 +97,12 @@ class Studio {
   // it later. Takes 10 to 40 ms while there is any left, then nothing. True once: when it was the last.
   bool Prepare() { return unprepared_ && !(unprepared_ = painter_->WarmUpStep()); }
 
+  // How finely it draws, which is basic until another quality is set. Errors: as Painter::SetQuality.
+  passes::Quality quality() const { return painter_->quality(); }
+  Result<void> SetQuality(passes::Quality quality);
+  // Draws a frame of this size that nobody sees, and waits until it is finished. Errors: those of Draw.
+  Result<Duration> TimeFrame(const scene::Scene& scene, int width_px, int height_px);
+
   // To be called before a window's screen goes.
   void CloseWindow() { window_ = gl::Window(); }
 
@@ -101,6 +110,8 @@ class Studio {
   const std::string& renderer() const { return context_->renderer(); }
 
  private:
+  // The canvas has this size from here on. Errors: as gl::Canvas::Make.
+  Result<void> Resize(int width_px, int height_px);
   // Copies the canvas into a window of the screen (an EGL surface's native window).
   Result<void> ShowIn(void* window);
   Studio(std::unique_ptr<gl::Context> context, std::unique_ptr<PreparedShow> prepared)

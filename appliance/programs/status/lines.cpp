@@ -66,8 +66,8 @@ Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time
   const std::string late =
       s.missed_flips == 0 ? "none was late" : fmt::format("{} were late", s.missed_flips);
   return {Mark::kGood, "show",
-          fmt::format("The show has {} frames a second, {} each; {}.", Number(s.frames_per_s),
-                      FrameTime(s.draw), late)};
+          fmt::format("The show has {} frames a second, {} each; {}; {} quality.", Number(s.frames_per_s),
+                      FrameTime(s.draw), late, s.fine != 0 ? "fine" : "basic")};
 }
 
 Line Screen(const ports::Output& output) {

@@ -1,7 +1,7 @@
 // The status of the box in sentences: what works, what is missing, and what is wrong.
 //
 //     Kaori box    This box is left-lobby. Profile stage; the root file system is verified, hash 0123456789ab.
-//     show         The show has 60 frames a second, 4.1 ms each; none was late.
+//     show         The show has 60 frames a second, 4.1 ms each; none was late; fine quality.
 //   - left stick   It was unplugged 2 minutes ago; the head moves by itself.
 #pragma once
 

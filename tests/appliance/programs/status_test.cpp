@@ -72,10 +72,10 @@ TEST_F(StatusWords, TheShowSaysItsRateAndWhatCameLate) {
   state_.facts.screens = {{.connector = "HDMI-A-1", .width_px = 640, .height_px = 480, .rate_hz = 60}};
   EXPECT_THAT(Said("show"), HasSubstr("! There is no picture yet"));
   state_.board.stage_status = {
-      {.draw = std::chrono::microseconds(6200), .missed_flips = 3, .frames_per_s = 59.9F},
-      state_.now,
-      SourceState::kLive};
-  EXPECT_EQ(Said("show"), "  The show has 60 frames a second, 6.2 ms each; 3 were late.");
+      {.draw = 6200us, .missed_flips = 3, .frames_per_s = 59.9F}, state_.now, SourceState::kLive};
+  EXPECT_EQ(Said("show"), "  The show has 60 frames a second, 6.2 ms each; 3 were late; basic quality.");
+  state_.board.stage_status.value.fine = 1;
+  EXPECT_EQ(Said("show"), "  The show has 60 frames a second, 6.2 ms each; 3 were late; fine quality.");
   state_.now += 30s;
   EXPECT_EQ(Said("show"), "! There has been no picture for less than a minute.");
 }
