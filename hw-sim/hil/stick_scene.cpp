@@ -85,7 +85,8 @@ Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words) {
   const std::size_t number =
       at == std::string::npos ? at : said.find_first_of("123456789", said.rfind('\n', at) + 1);
   if (number >= at) return FailInput(fmt::format("the list has no \"{}\", but says \"{}\"", words, said));
-  return static_cast<std::uint8_t>(kOne + (said[number] - '1'));
+  const bool is_tenth = said.compare(number, 2, "10") == 0;
+  return static_cast<std::uint8_t>(is_tenth ? kOne + 9 : kOne + (said[number] - '1'));
 }
 
 // The lines go with kaori-shows; the kernel is told by udev once that has ended.

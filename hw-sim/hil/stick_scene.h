@@ -43,7 +43,7 @@ Result<std::string> ChosenId(Scene& scene);
 // The stage has begun to play it, and draws.
 Result<void> WantPlayed(Scene& scene, const std::string& id);
 
-// The key of the list's line with these words: its number, 1 to 9. Errors: invalid_argument, there is none.
+// The key of the list's line with these words: its number, 1 to 9, or 0 for the tenth. Errors: invalid_argument, there is none.
 Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words);
 
 // Nothing is said of the stick any more, and the kernel has let it go.

@@ -164,7 +164,7 @@ Result<bool> Writer::Step() {
     const auto read = back_->Step(nowhere);
     if (!read && read.error().kind == ErrorKind::kInput)
       return FailAs({std::errc::bad_message, {}}, "read back " + name_.string());
-    if (!read) return read;
+    if (!read) return tl::unexpected(read.error());
     if (*read) stage_ = Stage::kEnded;
   }
   if (!done) return tl::unexpected(done.error());

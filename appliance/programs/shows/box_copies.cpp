@@ -110,7 +110,7 @@ Progress BoxCopies::EndBackup(const Result<void>& written) {
 }
 
 Progress BoxCopies::Answer(bool yes) {
-  const Progress progress = yes ? restoration_->Confirm() : Progress{Message::kLeft};
+  Progress progress = yes ? restoration_->Confirm() : Progress{Message::kLeft};
   restoration_.reset();
   return progress;
 }

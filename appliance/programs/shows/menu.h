@@ -69,7 +69,7 @@ class Menu {
   // What can be taken stays; presses from before count no more.
   void ForgetPresses();
 
-  // Looks at the board: a press of a key or button 1 to 8 takes that one; arrow keys move the mark; GO and
+  // Looks at the board: a press of a key or button takes the line of its number, the key 0 the tenth; arrow keys move the mark; GO and
   // Enter take the marked one; Page Up opens the list and shuts it. The result is taken now; nothing where
   // nobody took anything.
   std::optional<Choosable> Read(const board::Stamped<board::Keys>& keys,

@@ -83,7 +83,7 @@ std::string SettingsText(const std::filesystem::path& file) {
   Lines lines;
   Add("", *settings, false, lines);
   std::string shown;
-  for (const auto& [name, value] : lines) shown += name + " = " + value + "\n";
+  for (const auto& [name, value] : lines) shown += fmt::format("{} = {}\n", name, value);
   return shown;
 }
 

@@ -21,8 +21,8 @@ struct Offer {
   friend bool operator==(const Offer&, const Offer&) = default;
 };
 
-// More than can be listed and chosen by a number.
-inline constexpr std::size_t kMostChoices = 8;
+// So many lines of the list have a key: 1 to 9, and 0 for the tenth. What the box itself offers takes six of them at most.
+inline constexpr std::size_t kMostChoices = 10;
 
 // As it can be shown and logged: what is no printable ASCII is "?", and what is longer than `most` ends in
 // "...". Names and reasons from a stick may hold line ends, which would forge lines of the log. Pure.

@@ -62,8 +62,8 @@ class ServiceTest : public tests::PackTest {
     const auto at = said.find(words);
     EXPECT_NE(at, std::string::npos) << "no \"" << words << "\" in " << said;
     if (at == std::string::npos) return said;
-    const auto number = said.find_first_of("12345678", said.rfind('\n', at) + 1);
-    Strike(static_cast<std::uint8_t>(board::key::k1 + (said[number] - '1')));
+    const auto number = std::stoi(said.substr(said.find_first_of("123456789", said.rfind('\n', at) + 1)));
+    Strike(static_cast<std::uint8_t>(board::key::k1 + (number - 1)));
     return Play(std::chrono::seconds(2));
   }
 

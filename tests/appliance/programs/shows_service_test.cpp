@@ -185,10 +185,12 @@ TEST_F(ServiceTest, ManyShowsLeaveRoomForTheKeyAndTheRestIsCounted) {
   ASSERT_TRUE(SaveKey(theatre_, folder_ / "stick" / "theatre"));
   plugged_ = true;
   const std::string said = Play(1s);
-  EXPECT_THAT(said, HasSubstr("  6  f  "));
-  EXPECT_THAT(said, HasSubstr("  7  key theatre  "));
-  EXPECT_THAT(said, HasSubstr("  8  support file for a technician"));
-  EXPECT_THAT(said, HasSubstr("  and 3 more on the stick"));
+  EXPECT_THAT(said, HasSubstr("  8  h  "));
+  EXPECT_THAT(said, HasSubstr("  9  key theatre  "));
+  EXPECT_THAT(said, HasSubstr("  10  support file for a technician"));
+  EXPECT_THAT(said, HasSubstr("  and 1 more on the stick"));
+  Strike(board::key::k0);
+  EXPECT_THAT(Play(1s), HasSubstr("it is on the stick, for a technician")) << "the key 0 is the tenth line's";
 }
 
 TEST_F(ServiceTest, NamesInCapitalsAreSeen) {
