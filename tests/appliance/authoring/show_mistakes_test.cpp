@@ -28,7 +28,7 @@ const Mistake kInTheScript[] = {
      "show.toml:[0-9]+: button 1: there is no face \"karoi\"; did you mean \"kaori\"[?]"},
     {"ButtonOfNoKind", "show.toml", "\"face kaori\"", "\"fcae kaori\"",
      "show.toml:[0-9]+: button 1: \"fcae\" is none of face, expression, style, scene, cue, sheet, take, "
-     "motion; did "
+     "motion, blink, wink; did "
      "you mean \"face\"[?]"},
     {"ButtonTooFew", "show.toml", "\"expression sleepy\"", "",
      "show.toml:[0-9]+: buttons: 31 are given; the box has 32"},
