@@ -207,7 +207,7 @@ TEST_F(UpdatePowerCut, WouldWriteAVersionWithAHoleWithoutAFloor) {
   Install(BundleOf(2));
   EXPECT_FALSE(is_below(notes_.pending));
   const Running with_floor = running_;
-  running_ = {.version = 0, .least = 0, .slot = ports::Slot::kA};
+  running_ = {.version = 1, .least = 0, .slot = ports::Slot::kA};
   Install(BundleOf(2));
   running_ = with_floor;
   EXPECT_TRUE(is_below(notes_.pending));
