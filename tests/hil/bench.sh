@@ -112,7 +112,7 @@ run_all_checks() {
   run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
-  run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update $STICKS/box.kaoriupdate out/update.json
+  run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json
   tests/system/company_report.py out
 }
 

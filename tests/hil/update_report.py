@@ -1,8 +1,8 @@
 #!/usr/bin/env -S python3 -B
-"""Writes what shows that updates can be trusted: update_report.py BOOT.json TEST-UPDATE BUNDLE FILE.json
+"""Writes what shows that updates can be trusted: update_report.py BOOT.json TEST-UPDATE IMAGE.json BUNDLE FILE.json
 
-BOOT.json holds the figures of the bench's long mode (kaori-bench --figures), TEST-UPDATE is the program of the update's tests, and
-BUNDLE an update of the image. FILE gets one figure for each key of BOUNDS and of OPEN; ends with 1
+BOOT.json holds the figures of the bench's long mode (kaori-bench --figures), TEST-UPDATE is the program of the update's tests,
+IMAGE.json what the build says of an image, and BUNDLE an update of it. FILE gets one figure for each key of BOUNDS and of OPEN; ends with 1
 where one of BOUNDS is missing or out of its bounds, and names it.
 
   log_points, log_points_wrong        sectors of a whole update at each of which the power may go, and what was wrong there
@@ -15,6 +15,8 @@ where one of BOUNDS is missing or out of its bounds, and names it.
   tries_to_return                     until the system before was back
   controls, controls_passed           faults that were made on purpose, and those of them that nobody found
   bundle_mb, install_s                an update's size, and how long it takes to bring one in on an emulated machine
+  sbom_files_unmatched                files of the image that belong to nothing that is listed
+  stale_packages                      of which Debian had a newer version when the image was built
 """
 
 import math
@@ -29,10 +31,10 @@ import recorded
 BOUNDS = {"log_points": (1000, math.inf), "log_points_wrong": (0, 0), "good_slot_bytes_changed": (0, 0), "fat_sectors_written": (0, 0),
           "altered": (200, math.inf), "altered_installed": (0, 0), "altered_wrote_a_byte": (0, 0), "bad_slots": (9, math.inf),
           "bad_slots_kept": (0, 0), "tries_to_return": (0, 1), "controls": (7, math.inf), "controls_passed": (0, 0),
-          "bundle_mb": (0, 95), "install_s": (0, math.inf)}
+          "bundle_mb": (0, 95), "install_s": (0, math.inf), "sbom_files_unmatched": (0, 0), "stale_packages": (0, 0)}
 # What wants a machine whose power is cut, and is not measured yet. It stands in the report as null.
 OPEN = ("boots_after_cut", "boots_without_face", "start_sectors_written", "power_cycles", "slot_flips", "variable_cuts",
-        "variable_cuts_dead", "added_packed_mb", "face_rate_while_installing", "sbom_files_unmatched", "stale_packages")
+        "variable_cuts_dead", "added_packed_mb", "face_rate_while_installing")
 TESTS = "UpdatePowerCut.*:UpdateInstallation.*:BadSlotTest.*"
 FROM_TESTS = ("log_points", "log_points_wrong", "good_slot_bytes_changed", "fat_sectors_written", "bad_slots", "bad_slots_kept",
               "tries_to_return")
@@ -51,14 +53,15 @@ def of_tests(cases, passed):
 
 def figures(cases, passed, seen, bundle_bytes):
     """One figure for each key; None where nothing measured it."""
-    known = of_tests(cases, passed) | {"install_s": seen.get("update_install_s"),
+    known = seen | of_tests(cases, passed) | {"install_s": seen.get("update_install_s"),
                                        "bundle_mb": bundle_bytes and round(bundle_bytes / 1e6, 1)}
     return {name: known.get(name) for name in (*BOUNDS, *OPEN)}
 
 
 def main():
-    boot, program, bundle, file = (Path(word).resolve() for word in sys.argv[1:5])
-    found = figures(*recorded.cases(program, TESTS), bounded_report.read(boot), bundle.stat().st_size if bundle.is_file() else None)
+    boot, program, image, bundle, file = (Path(word).resolve() for word in sys.argv[1:6])
+    seen = bounded_report.read(image) | bounded_report.read(boot)
+    found = figures(*recorded.cases(program, TESTS), seen, bundle.stat().st_size if bundle.is_file() else None)
     return bounded_report.write("update_report.py", found, BOUNDS, file)
 
 

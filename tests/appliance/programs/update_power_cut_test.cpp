@@ -190,6 +190,15 @@ TEST_F(UpdatePowerCut, WouldBeFoundWhereTheSlotThatRunsIsWritten) {
   ExpectFound(before, 6);
 }
 
+// As firmware does it that counts tries in the names of files.
+TEST_F(UpdatePowerCut, WouldBeFoundWhereAFileIsRenamed) {
+  const Bytes before = disk_.content();
+  Install(BundleOf(6));
+  ASSERT_TRUE(boot_->Write(FatFixture::EntryAt(4, 1), Bytes{'K', 'A', 'O', 'R', 'I', '-', 'C', ' '}));
+  ConfirmSlotB();
+  ExpectFound(before, 6);
+}
+
 // An installer without a least version writes what is known to have a hole; the judge knows the box's floor.
 TEST_F(UpdatePowerCut, WouldWriteAVersionWithAHoleWithoutAFloor) {
   const auto is_below = [this](const std::optional<Pending>& waits) {
@@ -198,7 +207,7 @@ TEST_F(UpdatePowerCut, WouldWriteAVersionWithAHoleWithoutAFloor) {
   Install(BundleOf(2));
   EXPECT_FALSE(is_below(notes_.pending));
   const Running with_floor = running_;
-  running_ = {.version = 0, .least = 0, .slot = ports::Slot::kA};
+  running_ = {.version = 1, .least = 0, .slot = ports::Slot::kA};
   Install(BundleOf(2));
   running_ = with_floor;
   EXPECT_TRUE(is_below(notes_.pending));
