@@ -14,6 +14,8 @@ constexpr Duration kStickAnswer = seconds(60);
 constexpr Duration kLongestChange = minutes(5);  // Until the stage draws with another show.
 // QEMU's vendor and product; behind it whether it is authorised.
 constexpr const char* kStickNumber = "46f4:0001 ";
+// Of lines that the list has while a stick is in.
+constexpr std::string_view kOntoStick = "onto the stick";
 
 }  // namespace
 
@@ -107,6 +109,9 @@ Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name) {
                              std::filesystem::copy_options::overwrite_existing, failed);
   if (failed) return Fail(static_cast<std::errc>(failed.value()), "copy the empty stick");
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return tl::unexpected(ok.error());
+  // The list of the stick before goes first: its lines have other numbers, and what is taken of them is of that stick.
+  const auto gone = [&] { return TextInBox(scene, kSaid).find(kOntoStick) == std::string::npos; };
+  if (!scene.target.Until(gone, kLongestReading)) return FailInput("the list of the pulled stick stays");
   if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return tl::unexpected(ok.error());
   return stick;
 }
