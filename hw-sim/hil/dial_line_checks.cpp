@@ -88,6 +88,8 @@ Result<void> WakeDials(Scene& scene, sim::SerialDialBox& box) {
   return {};
 }
 
+// Half a turn and a whole one, both ways, and the last but one button. The box without buttons and lamps, the DLS80, is
+// turned alone.
 Result<void> TurnAndPush(Scene& scene, sim::SerialDialBox& box, Kind kind) {
   const auto before = scene.SettledBoard();
   if (!before) return tl::unexpected(before.error());
@@ -148,6 +150,7 @@ constexpr std::array kBoxes{std::pair{Kind::kSgi, "sgi"},
                             std::pair{Kind::kSpectragraphics, "spectragraphics"},
                             std::pair{Kind::kDls80, "dls80"}};
 
+// Each with an adapter of its own, so that each is found anew by the name of the socket.
 Result<void> SerialBoxes(Scene& scene) {
   for (const auto& [kind, name] : kBoxes) {
     if (auto ok = PlaySerialBox(scene, kind, name, sim::SerialDialBox::kBaud); !ok)
@@ -166,7 +169,8 @@ Result<void> AnotherSpeedIsSeen(Scene& scene) {
 
 // Numbers of edges, four a cycle: fast and slow, both ways, and a dial that stands.
 constexpr std::array<int, 8> kEdges{256, -256, 64, -64, 1, -1, 512, 0};
-constexpr int kPause_us = 200;
+// Slow enough for an emulated machine, whose kernel keeps 1024 edges: what it has to drop moves nothing, and is said.
+constexpr int kPause_us = 2000;
 
 // `crossed`: A and B of each dial change places, as by a wrong wire.
 Result<void> PlayGpioDials(Scene& scene, bool crossed) {
@@ -207,6 +211,7 @@ Result<void> GpioDials(Scene& scene) {
   return PlayGpioDials(scene, false);
 }
 
+// The control: every dial turns the other way, as one whose A and B were soldered wrongly.
 Result<void> CrossedLinesAreSeen(Scene& scene) {
   return WantFoundWrong(PlayGpioDials(scene, true), "dials whose lines are crossed pass");
 }

@@ -89,11 +89,13 @@ Result<void> Play(Scene& scene, Played played) {
   return played.shows ? played.shows() : Result<void>{};
 }
 
+// For a first movement, of which nobody knows how much arrives: the device may still be asked who it is.
 Seen AnyTurn(std::size_t dial) {
   return
       [=](const BoardView& before, const BoardView& now) { return now.counts[dial] != before.counts[dial]; };
 }
 
+// Linux makes no reports of it: the box's program reads it by libusb, beside hidraw.
 Result<void> PlayPowerMate(Scene& scene) {
   sim::OwnedDevice knob(OwnedKind::kPowerMate);
   sim::UsbHid usb(knob);
@@ -106,6 +108,7 @@ Result<void> PlayPowerMate(Scene& scene) {
                       {{"a turn back", turn(-94), Turned(2, -kBoardTurn)}, {"a push", push, Pushed(10)}}});
 }
 
+// Ten clicks of its jog wheel are a turn, and its counter of eight bits wraps on the way.
 Result<void> PlayShuttle(Scene& scene) {
   sim::OwnedDevice shuttle(OwnedKind::kShuttlePro);
   sim::UsbHid usb(shuttle);
@@ -146,6 +149,7 @@ Result<void> PlayTwister(Scene& scene) {
                       {{"a turn back", turn(-96), Turned(5, -kBoardTurn)}, {"a push", push, Pushed(14)}}});
 }
 
+// At the socket of the left pod, since a stick's role belongs to the port. Forwards is positive on the board.
 Result<void> PlayStick(Scene& scene, OwnedKind kind, const char* name) {
   sim::OwnedDevice stick(kind);
   sim::UsbHid usb(stick);
@@ -201,6 +205,8 @@ Result<void> PlayDeck(Scene& scene, sim::StreamDeck::Kind kind, const char* name
        }});
 }
 
+// One after the other: the box has room for four further surfaces, and each is to be seen alone. What has played is
+// counted for out/firmware.json.
 Result<void> Surfaces(Scene& scene) {
   for (const auto& part : std::initializer_list<std::function<Result<void>(Scene&)>>{
            PlayPowerMate, PlayShuttle, PlayXTouch, PlayTwister,

@@ -57,11 +57,13 @@ int Part(float part, int side_px) {
   return std::max(1, static_cast<int>(std::lround(part * static_cast<float>(side_px))));
 }
 
+// Of all three colours alike, so that a face stays known by them.
 void Dim(image::Picture& picture) {
   for (std::uint8_t& value : picture.rgbx)
     value = static_cast<std::uint8_t>(static_cast<float>(value) * kDimmed);
 }
 
+// Along the inside of the edge, over what is there: seen from the side, too, where brightness alone tells little.
 void Frame(image::Picture& picture) {
   const int side = picture.width_px, width = Part(kFrameWidth, side);
   for (int y = 0; y < side; ++y)
@@ -150,6 +152,7 @@ Result<void> WriteKey(const image::Picture& picture, const decode::DeckShape& sh
   return {};
 }
 
+// Has no bright state: nothing is on there.
 Result<void> WriteBlank(const decode::DeckShape& shape, const std::filesystem::path& stem) {
   const auto file = KeyFile(image::Picture::Blank(shape.key_px, shape.key_px), shape);
   if (!file) return tl::unexpected(file.error());

@@ -17,6 +17,7 @@ constexpr float kKeyTurn_rad = 0.2F;
 constexpr std::array<std::string_view, 6> kKinds{"face ",  "expression ", "scene ",
                                                  "style ", "motion ",     "cue "};
 
+// Whole, and alone.
 void Become(face::Terms& terms, std::uint16_t index) {
   terms.clear();
   terms.Push(index, 1);
@@ -38,6 +39,7 @@ void Draw(scene::Style style, scene::Scene& scene) {
   scene.styles[static_cast<std::size_t>(style)] = 1;
 }
 
+// All that a scene says but its fade, its life and where she looks, which no still picture shows.
 scene::Scene OnStage(const show::StageScene& staged, scene::Scene scene) {
   Become(scene.weights.faces, staged.face);
   Become(scene.weights.expressions, staged.expression);
