@@ -23,7 +23,7 @@ constexpr std::size_t kStatusBytes = 2;
 // Four bytes at 9600 baud; and of more than this a part is sent before.
 constexpr Duration kCollects = std::chrono::microseconds(4170);
 constexpr std::size_t kMostCollected = 60;
-constexpr double kClockHz = 3e6;
+constexpr double kBridgeClock_hz = 3e6;
 constexpr double kMostApart = 0.03;  // Of two speeds that still understand each other.
 
 UsbBytes SerialConfiguration() {
@@ -43,9 +43,9 @@ double BaudOf(std::uint16_t value, std::uint16_t index) {
   constexpr std::array<int, 8> kEighths{0, 4, 2, 1, 3, 5, 6, 7};
   const unsigned whole = value & 0x3FFFU;
   const unsigned code = static_cast<unsigned>(value >> 14U) | (index & 1U) << 2U;
-  if (whole == 0) return kClockHz;
-  if (whole == 1 && code == 0) return kClockHz / 1.5;
-  return kClockHz / (whole + kEighths[code] / 8.0);
+  if (whole == 0) return kBridgeClock_hz;
+  if (whole == 1 && code == 0) return kBridgeClock_hz / 1.5;
+  return kBridgeClock_hz / (whole + kEighths[code] / 8.0);
 }
 
 // Bits that are looked at at the wrong times: what comes has little to do with what was sent.

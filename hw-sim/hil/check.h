@@ -124,6 +124,7 @@ std::vector<Check> InputChecks();
 // Surfaces that people own, by their twins.
 std::vector<Check> SurfaceChecks();
 // Serial dial boxes of 1993, and dials on GPIO lines.
+std::vector<Check> SerialBoxChecks();
 std::vector<Check> DialLineChecks();
 // Cables are pulled and plugged in any order.
 std::vector<Check> CableChecks();

@@ -218,15 +218,18 @@ Result<void> CrossedLinesAreSeen(Scene& scene) {
 
 }  // namespace
 
-std::vector<Check> DialLineChecks() {
+std::vector<Check> SerialBoxChecks() {
   return {{"serial-boxes",
            "The dial boxes of 1993 play behind a serial adapter",
            false,
            SerialBoxes,
            {},
            {},
-           AnotherSpeedIsSeen},
-          {"gpio-dials",
+           AnotherSpeedIsSeen}};
+}
+
+std::vector<Check> DialLineChecks() {
+  return {{"gpio-dials",
            "Dials on GPIO lines are counted edge by edge",
            false,
            GpioDials,

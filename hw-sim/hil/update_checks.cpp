@@ -123,8 +123,7 @@ class UpdatedPc {
     return ReadFile(folder_ + "/kept").value_or("");
   }
   // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first thing
-  // that is read of a root.
-  // Another byte in the root of slot B, which its kernel then refuses.
+  // that is read of a root. The kernel of slot B then refuses it.
   Result<void> SpoilSlotB() const {
     constexpr std::uint64_t kSuperBlock_bytes = 1024 + 64;
     const auto start = PartitionStart_bytes(Disk(), "root-b");

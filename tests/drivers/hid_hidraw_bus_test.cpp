@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <chrono>
+#include <thread>
+
 #include "drivers/decode/dial_box.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "firmware/wire/dial_box.h"
@@ -93,6 +96,9 @@ TEST_F(HidrawBusTest, OpensADeviceThatIsReadAndWritten) {
   auto decoder = decode::DialBoxDecoder::For(identity).value();
   EXPECT_EQ(decoder.Decode(std::span(into).first(input->bytes), input->at)->counts[0], -3);
   ASSERT_TRUE((*channel)->Write(decoder.LampReport(0x81)));
+  // A thread of the channel writes, so that a device that does not answer keeps nobody waiting.
+  for (int n = 0; n < 500 && box_.received().empty(); ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_THAT(box_.received(), ElementsAre(0, 0x81, 0, 0, 0));
 }
 
