@@ -6,11 +6,13 @@
 
 namespace {
 
+// Atomic, since threads of any library may allocate. It is never set back.
 std::atomic<std::size_t> count{0};
 
 // As ::operator new, but that a machine without memory ends the program: nobody here goes on without.
 void* Allocate(std::size_t bytes, std::size_t alignment) {
   ++count;
+  // aligned_alloc wants a multiple of the alignment, and 0 bytes must give a pointer of their own.
   const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
   void* const memory = std::aligned_alloc(alignment, whole == 0 ? alignment : whole);
   if (memory == nullptr) std::abort();

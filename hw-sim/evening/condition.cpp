@@ -28,9 +28,12 @@ constexpr std::pair<std::string_view, Kind> kWords[] = {
 };
 
 // In the order of board::LevelOwner.
+// The words are part of the running order's language: a new owner on the board needs a word here.
 constexpr std::array<std::string_view, board::kLevelOwnerCount> kOwners{"nobody", "cue",  "remote",
                                                                         "hand",   "lips", "voice"};
 
+// A cue is named by its number as the show writes it, such as 14.5, which is a text and no number.
+// The index is that of the cue list, from 0. After a complaint it is the list's end, and is never used.
 int ReadCue(Tokenizer& tokens, const show::Show& show) {
   const auto token = tokens.Next("the number of a cue");
   if (!token) return 0;
@@ -40,6 +43,7 @@ int ReadCue(Tokenizer& tokens, const show::Show& show) {
   return static_cast<int>(cue - cues.begin());
 }
 
+// The names are those of show::kLevels, as show files and the log have them.
 int ReadLevel(Tokenizer& tokens) {
   const auto token = tokens.Next("the name of a level");
   if (!token) return 0;
@@ -59,6 +63,7 @@ int ReadOwner(Tokenizer& tokens) {
 }
 
 // What begins with the name of a port: whether its device is there.
+// The screen is refused: it sends nothing that could be live or stale.
 void ReadDevice(Tokenizer& tokens, const Token& name, Condition& into) {
   const auto port = DevicePortNamed(name.text);
   if (!port || *port == DevicePort::kScreen)
@@ -72,6 +77,7 @@ void ReadDevice(Tokenizer& tokens, const Token& name, Condition& into) {
     tokens.Complain(tokens.next_column(), "expected live or stale");
 }
 
+// The names of devices come last: any word that is not known is told of as a device that does not exist.
 void ReadWords(Tokenizer& tokens, const Token& first, const show::Show& show, Condition& into) {
   const auto* const alone =
       std::ranges::find(kWords, first.text, [](const auto& word) { return word.first; });
@@ -90,6 +96,7 @@ void ReadWords(Tokenizer& tokens, const Token& first, const show::Show& show, Co
   } else if (first.text == "level") {
     into.kind = Kind::kLevel;
     into.index = ReadLevel(tokens);
+    // No level has a range beyond -10 to 10: other numbers are mistakes.
     into.value = tokens.Number("a value in the level's own unit", -10, 10).value_or(0);
   } else {
     ReadDevice(tokens, first, into);
@@ -123,16 +130,19 @@ SourceState SourceOf(DevicePort port, const board::Board& board) {
   return SourceState::kAbsent;
 }
 
+// The bits are those of board::kCuesPaused and its neighbours.
 bool IsState(const board::ShowNow& now, std::uint32_t bit) {
   return (now.cue_state & bit) != 0;
 }
 
+// The tolerance is a part of the level's own range, since levels have different units.
 bool LevelIs(const Condition& condition, const board::ShowNow& now) {
   const show::LevelInfo& info = show::kLevels[static_cast<std::size_t>(condition.index)];
   const double is = now.levels[static_cast<std::size_t>(condition.index)].value;
   return std::abs(is - condition.value) <= kOfTheRangeIsSame * (info.high - info.low);
 }
 
+// An index below 0 is a list that has not begun; one behind the last cue stands by when the list is over.
 std::string CueText(std::int32_t cue, const show::Show& show) {
   const auto& cues = show.cue_list.cues;
   if (cue < 0) return "no cue";
@@ -171,6 +181,7 @@ bool Holds(const Condition& condition, const Since& since, const board::Board& b
     case Kind::kPicture:
       return seen.pictures != since.pictures;
     case Kind::kNewBoard:
+      // A board that is being replaced is not intact for a moment: only the whole new one counts.
       return board.moves() != since.moves && board.intact();
     case Kind::kLogGrows:
       return seen.log_bytes > since.log_bytes;
@@ -214,6 +225,7 @@ std::string Instead(const Condition& condition, const board::Board& board, const
       return fmt::format("its owner is {}", kOwners[static_cast<std::size_t>(now.levels[level].owner)]);
     case Kind::kLevel:
       return fmt::format("it is {:.3f}", now.levels[level].value);
+    // The other conditions are true or false, and their opposite tells nothing more.
     default:
       return {};
   }

@@ -22,6 +22,8 @@ struct ShowSeen {
   std::uint64_t log_bytes = 0;
 };
 
+// One of the conditions, with the fields that its kind uses; all other fields keep their defaults. A plain
+// value that is read once from the running order and never changes afterwards.
 struct Condition {
   enum class Kind : std::uint8_t {
     // This cue was played last.

@@ -36,10 +36,12 @@ constexpr Duration kAfterTheEnd = 1s;  // For what is still due.
 // The lip camera of the evening: its smallest usual size.
 constexpr int kCameraWidth_px = 160, kCameraHeight_px = 120;
 
+// The time is that of all threads of the process, as clock(3) has it, and does not count what others use.
 double ProcessorSeconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+// The second number of statm is the resident set, in pages (proc(5)); KB are of 1024 bytes.
 double ResidentKb() {
   std::ifstream statm("/proc/self/statm");
   double all = 0, resident = 0;
@@ -75,6 +77,7 @@ class Evening {
         incidents_(rehearsal, rehearsal.rig().clock(), log),
         player_(WithImprovisation(), rehearsal.rig(), rehearsal.began()) {}
 
+  // The hooks borrow this object and are taken out again at the end, since the rig may outlive it.
   void Play() {
     rehearsal_.SetLog(&log_.recorder());
     rehearsal_.CallAfterFrames([this](const auto& state, const auto&, Time) { See(state); });
@@ -117,8 +120,10 @@ class Evening {
   const ShownEvening& shown() const { return shown_; }
 
  private:
+  // The time is simulated, and counts from the beginning of the evening.
   Duration now() const { return rehearsal_.now() - rehearsal_.began(); }
 
+  // The order's own lines stay as they are; improvised actions are sorted in between by time.
   Scenario WithImprovisation() const {
     Scenario scenario = order_.play;
     if (options_.improvised) {
@@ -130,6 +135,7 @@ class Evening {
   }
 
   // What was expected begins before what happens at the same moment.
+  // Incidents come before the operators' actions of the same moment.
   void Perform(Time at) {
     watcher_.Begin(at - rehearsal_.began(), rehearsal_.board(), seen_);
     for (; next_ < order_.incidents.size() && order_.incidents[next_].at <= at - rehearsal_.began(); ++next_)
@@ -172,6 +178,7 @@ class Evening {
       std::this_thread::sleep_for(1ms);
     std::error_code none;
     if (const auto bytes = fs::file_size(log_.file(), none); !none) seen_.log_bytes = bytes;
+    // Memory is sampled once a simulated minute.
     if (++seconds_ % 60 == 0) verdict_.memory.push_back({Seconds(now()) / 3600, ResidentKb()});
     if (!options_.tell || options_.tell(Report())) return true;
     verdict_.stopped = true;
@@ -198,6 +205,7 @@ class Evening {
 }  // namespace
 
 // A GO of which nothing was seen is a missed cue, and so is one that nobody called.
+// An evening that was stopped may have a GO on its way: it is not compared.
 void CompareGos(Verdict& verdict) {
   const std::uint64_t answered = verdict.go_played + verdict.go_refused;
   if (verdict.go_sent == answered || verdict.stopped) return;
@@ -213,6 +221,7 @@ Result<Verdict> PlayEvening(const RunningOrder& order, const EveningOptions& opt
   const double processor_begun_s = ProcessorSeconds();
   std::error_code none;
   fs::remove_all(options.folder, none);
+  // The log has a folder of its own, since every file in it is played again.
   const fs::path logs = fs::path(options.folder) / "log";
   Verdict verdict;
   ShownEvening shown;
@@ -238,6 +247,7 @@ Result<Verdict> PlayEvening(const RunningOrder& order, const EveningOptions& opt
   }
   if (auto checked = CheckLogs(logs, shown, {options.width_px, options.height_px}, studio, verdict); !checked)
     return tl::unexpected(checked.error());
+  // A full disk that loses nothing was not full: the fault itself is then wrong, and has tested nothing.
   if (verdict.log_parts_lost == 0 && verdict.log_parts_allowed != 0)
     verdict.wrong.emplace_back("the disk of the log was full, and no part of the log is lost");
   fs::remove_all(options.folder, none);

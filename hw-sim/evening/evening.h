@@ -12,6 +12,7 @@
 
 namespace kaori::sim {
 
+// What an evening is played with; the defaults are those of kaori-evening.
 struct EveningOptions {
   // The running order's name, for sentences.
   std::string file{};

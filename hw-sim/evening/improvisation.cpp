@@ -31,6 +31,7 @@ class Improvisation {
   explicit Improvisation(std::uint64_t seed) : bits_(seed) {}
 
   double Between(double low, double high) {
+    // The upper 53 bits of the generator are used, since a double cannot hold all 64.
     constexpr double kSteps = 9007199254740992.0;  // 2^53: what a double holds exactly.
     return low + (high - low) * (static_cast<double>(bits_() >> 11U) / kSteps);
   }
@@ -39,6 +40,7 @@ class Improvisation {
   auto OneOf(const Items& items) {
     return items[bits_() % items.size()];
   }
+  // Both ends are included. The remainder favours small numbers by less than one in 10^17.
   int Number(int low, int high) {
     return low + static_cast<int>(bits_() % static_cast<std::uint64_t>(high - low + 1));
   }
@@ -53,6 +55,7 @@ void AddAction(std::vector<TimedAction>& to, Duration at, Duration over, const O
 
 // A stick goes somewhere, stays, and now and then rests; twist goes along with some of it.
 void PlayStick(std::vector<TimedAction>& to, DevicePort stick, Duration end, Improvisation& hand) {
+  // Sticks stay within 0.7 of their way across and 0.5 of it up and down, of 1 at the stops.
   for (Duration at = hand.Wait(2, 8); at < end; at += hand.Wait(2, 9)) {
     const bool rests = hand.Between(0, 1) < 0.3;
     const double x = rests ? 0 : hand.Between(-0.7, 0.7), y = rests ? 0 : hand.Between(-0.5, 0.5);
@@ -82,6 +85,7 @@ void PlaySpeaker(std::vector<TimedAction>& to, const RunningOrder& order, Improv
   for (Duration at = mouth.Wait(3, 6); at < order.length; at += mouth.Wait(4, 14)) {
     const Duration over = mouth.Wait(0.8, 2.2);
     const std::string_view phrase = mouth.OneOf(kPhrases);
+    // A phrase is dropped when any part of it would lie in that span; the next one is drawn all the same.
     const bool quiet = std::ranges::any_of(order.faults, [&](const Fault& fault) {
       return at + over > fault.at - kQuietBefore && at < fault.at + kQuietAfter;
     });
@@ -96,6 +100,7 @@ void PlaySpeaker(std::vector<TimedAction>& to, const RunningOrder& order, Improv
 // Each operator has a generator of his own: what one does changes nothing of the others.
 std::vector<TimedAction> ImprovisedActions(const RunningOrder& order, std::uint64_t seed) {
   std::vector<TimedAction> actions;
+  // Each evening uses four neighbouring seeds, so that no two of them share a generator.
   Improvisation head(seed * 4), gaze(seed * 4 + 1), dials(seed * 4 + 2), mouth(seed * 4 + 3);
   PlayStick(actions, DevicePort::kStickLeft, order.length, head);
   PlayStick(actions, DevicePort::kStickRight, order.length, gaze);

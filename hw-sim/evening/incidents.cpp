@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kKept = ".kept";  // The name of a log while its disk is full.
 constexpr std::size_t kNoise_bytes = 64;     // Over the head of the board's file.
 
+// The value of a file system's error is an errno, so that it can be told as one.
 Result<void> Done(const std::error_code& error, const std::string& attempt) {
   if (error) return Fail(static_cast<std::errc>(error.value()), attempt);
   return {};
@@ -27,6 +28,7 @@ Result<void> Done(const std::error_code& error, const std::string& attempt) {
 
 }  // namespace
 
+// A log that is still under its other name would be missing when the logs are played again.
 Incidents::~Incidents() {
   static_cast<void>(FreeDisk());
 }
@@ -63,12 +65,14 @@ Result<void> Incidents::Make(const Incident& incident) {
   return {};
 }
 
+// Calls that follow each other within one step reach the board before its next frame.
 Result<void> Incidents::Call(const std::string& words, int times) {
   for (int i = 0; i < times; ++i)
     if (auto called = page_.Call(words); !called) return called;
   return {};
 }
 
+// The file is spoilt behind the back of its writers, as a damaged memory or a wrong program would do it.
 Result<void> Incidents::SpoilBoard(Incident::Kind how) {
   const fs::path file = rehearsal_.board().path();
   std::error_code error;
@@ -82,12 +86,14 @@ Result<void> Incidents::SpoilBoard(Incident::Kind how) {
   }
   const UniqueFd fd(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
   std::array<std::uint8_t, kNoise_bytes> noise{};
+  // Any pattern but that of a valid head does.
   noise.fill(0xA5);
   if (!fd.valid() || ::pwrite(fd.get(), noise.data(), noise.size(), 0) < 0)
     return FailErrno("overwrite " + file.string());
   return {};
 }
 
+// Every write to /dev/full fails with ENOSPC (full(4)): no real disk needs to be filled.
 Result<void> Incidents::FillDisk() {
   if (!full_.empty()) return {};
   const fs::path file = log_.file();
@@ -100,6 +106,7 @@ Result<void> Incidents::FillDisk() {
   return {};
 }
 
+// The kept log gets its name back, so that it is played again with the others.
 Result<void> Incidents::FreeDisk() {
   if (full_.empty()) return {};
   const std::string kept = full_.string() + std::string(kKept);

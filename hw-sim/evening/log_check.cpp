@@ -21,6 +21,7 @@ constexpr std::size_t kMostSentences =
     10;  // Of one kind: a log that differs once may differ in all that follows.
 
 // One evening's logs, one file after the other.
+// Borrows the studio and the verdict. Memory for one picture is allocated once, at 4 bytes a pixel.
 class LogCheck {
  public:
   LogCheck(const ShownEvening& shown, Size size, stage::Studio& studio, Verdict& into)
@@ -75,6 +76,7 @@ class LogCheck {
   }
 
   // Draws the frame again where the evening drew it.
+  // The log keeps the time of presentation as it was, so that it is compared exactly.
   Result<void> Compare(const showlog::Replay& replay) {
     while (next_ != end_ && next_->presented_at < replay.presented_at()) ++next_;
     if (next_ == end_ || next_->presented_at != replay.presented_at()) return {};
@@ -102,6 +104,7 @@ class LogCheck {
 }  // namespace
 
 std::optional<std::uint64_t> SumOfPicture(stage::Studio& studio, stage::SmallImage& into) {
+  // The picture is read in its own size: the bound is above that of any evening's screen.
   constexpr int kAnyWidth_px = 4096;
   return studio.ReadSmall(kAnyWidth_px, into) ? std::optional(Fnv1a(into.pixels)) : std::nullopt;
 }
@@ -110,6 +113,7 @@ Result<void> CheckLogs(const fs::path& folder, const ShownEvening& shown, Size s
                        Verdict& into) {
   const auto files = ListFolder(folder);
   if (!files) return tl::unexpected(files.error());
+  // The evening drew few of its frames; now each frame that is asked for must be drawn.
   studio.DrawOneOf(1);
   LogCheck check(shown, size, studio, into);
   for (const fs::path& file : *files) {

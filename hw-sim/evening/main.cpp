@@ -33,8 +33,10 @@ constexpr std::string_view kHelp =
 
 constexpr kaori::Duration kTellEvery = std::chrono::minutes(1);  // Of real time.
 
+// The signal handler writes it and the main thread reads it: its type is safe in a handler.
 volatile std::sig_atomic_t stop_asked = 0;
 
+// The texts of the options; numbers are parsed by main, which refuses what is none.
 struct Settings {
   std::string pack, order, minutes = "0", hours = "0", seed = "1", json;
 };
@@ -99,11 +101,14 @@ int PlayAll(const Settings& settings, const kaori::sim::RunningOrder& order, kao
       status = kaori::ExitWithError(evening.error());
       break;
     }
+    // In a long run the same sentence comes from many evenings: the seed says how to play that one again.
     if (hours > 0)
       for (std::string& sentence : evening->wrong) sentence += fmt::format(" (seed {})", seed);
     Add(*evening, all);
     ++seed;
+    // With 0 hours the condition is false at once, and one evening is played.
   } while (all.minutes / 60 < hours && stop_asked == 0);
+  // The least numbers of cues and faults hold only for evenings that were played to their end.
   all.whole = whole && status == 0 && !all.stopped;
   Print(all);
   if (auto written = WriteReport(settings.json, all); !written) return kaori::ExitWithError(written.error());
@@ -115,6 +120,7 @@ int Play(const Settings& settings, double minutes, double hours, std::uint64_t s
   if (!show) return kaori::ExitWithError(show.error());
   auto order = kaori::sim::LoadRunningOrder(settings.order, *show);
   if (!order) return kaori::ExitWithError(order.error());
+  // The value 0 stands for all of the order.
   if (minutes > 0) Shorten(*order, kaori::FromSeconds(minutes * 60));
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return kaori::ExitWithError(studio.error());

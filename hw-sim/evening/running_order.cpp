@@ -15,7 +15,9 @@ namespace {
 
 using What = Incident::Kind;
 
+// The bound of 4 MiB keeps a wrong path, such as that of a picture, from being read as an order.
 constexpr std::size_t kMostOrder_bytes = std::size_t{4} << 20U;
+// A packet of a full-speed interrupt endpoint has 64 bytes at most (USB 2.0, 5.7.3).
 constexpr int kMostBytesOfReport = 64, kMostCallsAtOnce = 200;
 
 // Of a line that is no scenario's.
@@ -49,6 +51,7 @@ int WholeNumberOf(Tokenizer& tokens, std::string_view what, int most) {
 }
 
 // The device whose report is spoilt.
+// All other devices send no HID reports that could be torn.
 DevicePort HidPortOf(Tokenizer& tokens) {
   const auto name = tokens.Next("the name of a device");
   if (!name) return {};
@@ -60,6 +63,7 @@ DevicePort HidPortOf(Tokenizer& tokens) {
   return {};
 }
 
+// The words are not checked here: the page's own reader does that when the call is made.
 void ReadCallWords(Tokenizer& tokens, Incident& into) {
   while (!tokens.AtEnd())
     if (const auto word = tokens.Next("a call"))
@@ -103,6 +107,7 @@ std::string WordsBetween(std::string_view line, std::string_view first, std::str
   return std::string(line);
 }
 
+// Reads line by line and keeps what was read so far. Borrows the show; used for one text.
 class OrderScript {
  public:
   explicit OrderScript(const show::Show& show) : show_(show) {}
@@ -118,10 +123,12 @@ class OrderScript {
     Reading reading = ReadScenario(scenario_);
     read_.order.play = std::move(reading.scenario);
     read_.problems.insert(read_.problems.end(), reading.problems.begin(), reading.problems.end());
+    // The sort is stable, so that several problems of one line stay in the order of its columns.
     std::ranges::stable_sort(read_.problems, {}, &Problem::line);
     RunningOrder& order = read_.order;
     std::ranges::stable_sort(order.incidents, {}, &Incident::at);
     std::ranges::stable_sort(order.expectations, {}, &Expectation::at);
+    // The evening lasts until the last expectation has had its time and the last freeze is over.
     order.length = order.play.length;
     for (const Expectation& one : order.expectations)
       order.length = std::max(order.length, one.at + one.time);
@@ -138,6 +145,7 @@ class OrderScript {
     const bool timed = look.Accept("at") && look.TimeSpan();
     const auto word = look.AtEnd() ? std::nullopt : look.Next("");
     if (!word) return false;
+    // A scene of the scenario ends the fault, but its line still belongs to the scenario's reader.
     if (word->text == "scene") fault_ = kNoFault;
     Incident incident;
     std::vector<Problem> trial;
@@ -145,6 +153,7 @@ class OrderScript {
     again.Accept("at");
     if (timed) incident.at = again.TimeSpan().value_or(Duration{});
     again.Next("");
+    // The line is read a second time, from its beginning, for its own statement.
     const std::size_t before = trial.size();
     const bool own = ReadStatementOf(again, word->text, {incident.at, number, line}, incident);
     if (!own) return false;
@@ -169,6 +178,7 @@ class OrderScript {
     return true;
   }
 
+  // The expectations that follow in the file refer to the fault by its index.
   void ReadFault(Tokenizer& tokens, OrderLine line) {
     const auto name = tokens.Next("what goes wrong, in quotes");
     if (!name) return;
@@ -218,6 +228,7 @@ Result<RunningOrder> LoadRunningOrder(const std::string& path, const show::Show&
 }
 
 void Shorten(RunningOrder& order, Duration length) {
+  // Faults are in the order of the file; those at its end are the late ones.
   const auto late = [length](const auto& one) { return one.at > length; };
   std::erase_if(order.play.actions, late);
   std::erase_if(order.play.beats, late);

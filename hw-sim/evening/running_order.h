@@ -33,6 +33,7 @@ namespace kaori::sim {
 // Of no fault.
 inline constexpr int kNoFault = -1;
 
+// One line "expect" or "keep". All times count from the beginning of the evening.
 struct Expectation {
   Duration at{};
   // Within it, or for so long.
@@ -75,12 +76,14 @@ struct Incident {
   int line = 0;
 };
 
+// One line "fault": a name for people, and the moment from which the evening must cope with it.
 struct Fault {
   Duration at{};
   std::string name;
   int line = 0;
 };
 
+// A plain value: it outlives the watcher and the incidents, which borrow from it.
 struct RunningOrder {
   Scenario play;
   // By time, as are the next two.

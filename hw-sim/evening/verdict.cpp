@@ -9,14 +9,20 @@
 namespace kaori::sim {
 namespace {
 
+// Memory of the first ten minutes tells nothing, since caches fill in that time.
 constexpr double kCachesFill_h = 10.0 / 60;
+// A line through fewer samples follows single steps of the allocator.
 constexpr std::size_t kLeastSamples = 10;
 // What each act brings for the first time stays in memory: over less than an hour its steps are no slope.
 constexpr double kLeastSpan_h = 1;
+// Over a week of playing without a stop this is 11 MB.
 constexpr double kMostSlope_kb_per_h = 64;
+// Over an evening of two hours this is 36 MB.
 constexpr double kMostLog_kb_per_min = 300;
+// Kilobytes of the log are of 1000 bytes, as disks are sold; those of memory are of 1024, as Linux counts.
 constexpr double kBytesPerKb = 1000;
 // Of each whole evening.
+// These say that the running order is still the full one: a shortened file must not pass as an evening.
 constexpr std::uint64_t kLeastCues = 60, kLeastFaults = 15;
 constexpr double kLeastMinutes = 100;
 
@@ -27,7 +33,9 @@ double LogPerMinute_kb(const Verdict& verdict) {
 }  // namespace
 
 void Add(const Verdict& evening, Verdict& to) {
+  // The evening's own time begins at 0: it goes on where the evenings before it ended.
   for (const MemoryAt& at : evening.memory) to.memory.push_back({at.hours + to.minutes / 60, at.resident_kb});
+  // Files that stay open add up over all evenings: the first beginning is compared with the last end.
   if (to.evenings == 0) to.open_files_start = evening.open_files_start;
   to.open_files_end = evening.open_files_end;
   to.evenings += evening.evenings;
@@ -55,6 +63,7 @@ std::vector<std::string> WhatIsWrong(const Verdict& verdict) {
   bound(verdict.replay_bits_differ == 0,
         fmt::format("{} frames show something else when they play again", verdict.replay_bits_differ));
   bound(verdict.minutes <= 0 || verdict.frames > 0, "the log has no frame that could play again");
+  // A full disk loses parts of the log with their pictures; half of them must be there to be compared.
   bound(2 * verdict.pictures >= verdict.pictures_drawn,
         fmt::format("{} pictures were drawn, and the log has {} of them", verdict.pictures_drawn,
                     verdict.pictures));
@@ -82,6 +91,7 @@ std::vector<std::string> WhatIsWrong(const Verdict& verdict) {
 }
 
 double MemorySlope_kb_per_h(const Verdict& verdict) {
+  // Of several evenings the first one is left out as a whole: their mean length says where it ended.
   const double from_h = verdict.evenings > 1 ? verdict.minutes / 60 / verdict.evenings : kCachesFill_h;
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const MemoryAt& at : verdict.memory) {
@@ -92,6 +102,7 @@ double MemorySlope_kb_per_h(const Verdict& verdict) {
     xx += at.hours * at.hours;
     xy += at.hours * at.resident_kb;
   }
+  // The slope is (n Σxy - Σx Σy) / (n Σx² - (Σx)²), with x in hours and y in KB.
   const double spread = n * xx - x * x;
   const bool long_enough = !verdict.memory.empty() && verdict.memory.back().hours - from_h >= kLeastSpan_h;
   return n < kLeastSamples || !long_enough || spread <= 0 ? 0 : (n * xy - x * y) / spread;
@@ -114,6 +125,7 @@ json::Object ToJson(const Verdict& verdict) {
           {"pictures", verdict.pictures},
           {"wrong_pictures", verdict.wrong_pictures},
           {"frame_path_allocations", verdict.frame_path_allocations},
+          // One digit behind the point is more than the measurement holds.
           {"rss_slope_kb_per_h", std::round(MemorySlope_kb_per_h(verdict) * 10) / 10},
           {"open_files_start", verdict.open_files_start},
           {"open_files_end", verdict.open_files_end},

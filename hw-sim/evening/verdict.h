@@ -44,6 +44,7 @@ struct Verdict {
   // and how many it may have been.
   std::uint64_t log_parts_allowed = 0;
   std::uint64_t frame_path_allocations = 0;
+  // Descriptors of the whole process, simulated devices and programs together.
   int open_files_start = 0, open_files_end = 0;
   // Of real time, for all of it,
   double seconds = 0;

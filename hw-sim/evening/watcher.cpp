@@ -5,6 +5,7 @@
 namespace kaori::sim {
 
 // A cue that is called, or a call that must be refused.
+// Only such conditions count as cues of the evening: others say how the box stands.
 bool Watcher::IsCall(const Condition& condition) {
   return condition.kind == Condition::Kind::kCue || condition.kind == Condition::Kind::kRefused;
 }
@@ -26,6 +27,7 @@ void Watcher::Begin(Duration now, const board::Board& board, const ShowSeen& see
   }
 }
 
+// Every open expectation is looked at once a step; there are few at a time.
 void Watcher::Look(Duration now, const board::Board& board, const ShowSeen& seen) {
   std::erase_if(open_, [&](const Open& open) { return IsOver(open, now, board, seen); });
 }
@@ -36,6 +38,7 @@ bool Watcher::IsOver(const Open& open, Duration now, const board::Board& board, 
   const bool in_time = now < expectation.at + expectation.time;
   if (holds == expectation.keep && in_time)
     return false;  // To be kept and kept, or expected and not there yet.
+  // From here on the expectation is over, and its fault has been looked at, whatever came of it.
   if (expectation.fault != kNoFault) looked_[static_cast<std::size_t>(expectation.fault)] = true;
   if (holds) return true;
   if (!expectation.keep && IsCall(expectation.condition)) ++missed_;
@@ -47,6 +50,7 @@ bool Watcher::IsOver(const Open& open, Duration now, const board::Board& board, 
   return true;
 }
 
+// The form FILE:LINE is the one that editors open.
 void Watcher::Fail(int line, int fault, const std::string& what) {
   if (fault != kNoFault) failed_[static_cast<std::size_t>(fault)] = true;
   wrong_.push_back(fmt::format("{}:{}: {}", file_, line, what));
@@ -57,6 +61,7 @@ void Watcher::Fail(int line, int fault, const std::string& what) {
 void Watcher::Report(Duration now, Verdict& into) const {
   std::vector<bool> over(order_.faults.size());
   for (std::size_t i = 0; i < over.size(); ++i) over[i] = order_.faults[i].at <= now;
+  // A fault is over when the last of its expectations has had its time.
   for (const Expectation& one : order_.expectations)
     if (one.fault != kNoFault && one.at + one.time > now) over[static_cast<std::size_t>(one.fault)] = false;
   into.cues += cues_;

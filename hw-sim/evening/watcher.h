@@ -37,6 +37,7 @@ class Watcher {
   void Report(Duration now, Verdict& into) const;
 
  private:
+  // An expectation whose time has begun and is not over, with the counters as they stood at its beginning.
   struct Open {
     const Expectation* expectation;
     Since since;

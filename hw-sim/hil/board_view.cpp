@@ -10,6 +10,7 @@ namespace {
 using Json = nlohmann::json;
 
 // A section is live while its writer is there and its device delivers.
+// The word is one of the names that the agent has for board::SourceState.
 bool Live(const Json& section) {
   return section.at("source") == "live";
 }
@@ -19,6 +20,7 @@ StickView Stick(const Json& section) {
   return {Live(section), section.at("x"), section.at("y"), section.at("port")};
 }
 
+// Names of fields are those of the agent's answer; each of them must be there, or the library throws.
 StageView Stage(const Json& section) {
   return {.live = Live(section),
           .frames = section.at("frames"),

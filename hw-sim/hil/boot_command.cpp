@@ -42,6 +42,7 @@ class Trace {
  public:
   explicit Trace(Time began) : began_(began) {}
 
+  // The whole log is passed in each time; read_ is how much of it was read before, in bytes.
   void Read(const std::string& console, Time now) {
     // A line that has no end yet is read with the next look.
     std::istringstream lines(console.substr(read_));
@@ -62,6 +63,7 @@ class Trace {
   bool complete() const { return passed_.back(); }
 
  private:
+  // A mark counts once: a program that is started again does not change the times of the first start.
   void Pass(std::size_t n, Time now) {
     if (passed_[n]) return;
     passed_[n] = true;

@@ -15,6 +15,7 @@ constexpr Duration kCameraLongest = seconds(90);  // For machines that have litt
 Result<void> Camera(Scene& scene) {
   constexpr double kSeconds = 10;
   sim::LipCamera& camera = scene.target.rig().devices().camera;
+  // Sizes are in widths of the mouth at rest: its height, and its width, which stays as it is.
   camera.SetMouth(0.3, 1);
   const auto seen = [](const BoardView& board) {
     // Half of what the lip reader is sure of at best.
@@ -44,6 +45,7 @@ Result<void> Camera(Scene& scene) {
   return {};
 }
 
+// The braces plug the camera in again at their end, and the time counts from there.
 Result<void> CameraPulled(Scene& scene) {
   {
     const UnpluggedDevice camera(scene, "camera");

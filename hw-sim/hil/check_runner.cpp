@@ -15,6 +15,7 @@ namespace {
 constexpr Duration kLongestTrace = std::chrono::seconds(60);
 
 // What helps to find out why.
+// The first word of each pair is the heading in the report, the second the question to the agent.
 constexpr std::pair<const char*, const char*> kTraces[] = {
     {"the board", "board"},
     {"the box's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 300"},
@@ -65,6 +66,7 @@ ReportedCheck CheckRunner::Run(const Check& check) {
   return reported;
 }
 
+// The scene borrows all of it; `finding` must outlive it.
 Scene CheckRunner::SceneOf(Finding& finding) {
   return {.target = target_,
           .finding = finding,
@@ -75,6 +77,7 @@ Scene CheckRunner::SceneOf(Finding& finding) {
           .play = options_.play};
 }
 
+// A check that powers the machine itself finds it off; all others find a box that plays.
 Result<void> CheckRunner::Prepare(const Check& check) {
   if (!check.powers) return StartBox(check.setup);
   strategy_.Off();
@@ -119,6 +122,7 @@ Result<void> CheckRunner::StartBox(const Setup& setup) {
     return FailAs(before->second, "not tried: the box did not start before; " + before->second.attempt);
   auto ok = strategy_.Play(setup);
   if (!ok) failed_setups_.emplace_back(setup, ok.error());
+  // The first start is the one that is reported, whatever setup it had.
   if (boot_s_ == 0) boot_s_ = strategy_.boot_s();
   return ok;
 }

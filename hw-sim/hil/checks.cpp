@@ -7,6 +7,7 @@
 
 namespace kaori::hil {
 
+// `part` is 0 to 1; the nearest value below is given, without interpolation.
 double Quantile(std::vector<double> values, double part) {
   std::ranges::sort(values);
   return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
@@ -31,6 +32,7 @@ Result<void> Scene::ShootFace(const std::string& name, const std::string& captio
 // First a face, then a later picture that differs from it: a picture that stands could be the last one of a
 // stage that died.
 Result<void> Scene::AwaitMovingFace(int head, Duration longest) {
+  // Both files are replaced at each look; the report does not show them.
   const std::string first = folder + "/moving-first.png", later = folder + "/moving-later.png";
   const auto face = [&] {
     if (!target.machine().Shoot(head, first)) return false;
@@ -53,6 +55,7 @@ Result<BoardView> Scene::SettledBoard() {
   for (int looks = 0; before && looks < kMostLooks; ++looks) {
     target.For(std::chrono::seconds(1));
     auto now = target.Board();
+    // Dials and buttons alone are compared, over a second of time.
     if (now && now->counts == before->counts && now->pushes == before->pushes) return now;
     before = std::move(now);
   }

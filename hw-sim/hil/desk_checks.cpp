@@ -20,10 +20,13 @@ constexpr std::string_view kListens = ":20FB 00000000:0000 0A";
 // Everything is emulated: the desk makes a key for its certificate first.
 constexpr Duration kLongestDesk = std::chrono::minutes(5);
 
+// A small screen without sound starts soonest; the settings replace those of the data partition.
 Setup DeskSetup(const char* settings) {
   return {.sound = false, .width_px = 480, .height_px = 270, .desk_port = kDeskPort, .settings = settings};
 }
 
+// The socket is looked for in the guest: slirp accepts a connection here whether or not anybody
+// listens there.
 bool Listens(Scene& scene) {
   return TextInBox(scene, kSockets).find(kListens) != std::string::npos;
 }

@@ -28,6 +28,7 @@ constexpr std::size_t kMostTable_bytes = std::size_t{1}
                                          << 20U;  // Of the disk, with its head and all entries.
 
 // A little-endian number of `length` bytes.
+// `length` is at most 8, and the bytes must lie within the text: callers look at its size first.
 std::uint64_t Number(std::string_view bytes, std::size_t at, std::size_t length) {
   std::uint64_t number = 0;
   for (std::size_t n = length; n-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + n]);
@@ -71,6 +72,7 @@ Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::s
   return FailInput(disk + " has no partition " + name);
 }
 
+// What cp says goes into a log beside the copy.
 Result<DiskCopy> CopyDisk(const std::string& disk, const std::string& folder, const std::string& name,
                           const std::string& partition) {
   const auto start = PartitionStart_bytes(disk, partition);
@@ -81,10 +83,12 @@ Result<DiskCopy> CopyDisk(const std::string& disk, const std::string& folder, co
   return copy;
 }
 
+// The form FILE?offset=BYTES is that of e2fsprogs for a file system within a larger file.
 std::string NameInDebugfs(const DiskCopy& copy) {
   return fmt::format("{}?offset={}", copy.file, copy.start_bytes);
 }
 
+// One name serves all machines of a folder: a machine runs only after the one before it has ended.
 Result<std::string> CopyWithSettings(const std::string& disk, const Setup& setup, const std::string& folder) {
   const auto copy = CopyDisk(disk, folder, "settled.disk", "data");
   if (!copy) return tl::unexpected(copy.error());

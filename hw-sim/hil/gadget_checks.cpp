@@ -19,6 +19,7 @@ constexpr std::string_view kGadget =
     "/usr/share/kaori/kaori.play --loop";
 
 // The rig's own devices are unplugged, so that the gadgets have their roles.
+// Errors are passed over: the names are those of the rig's own sockets.
 void PlugRigs(Scene& scene, bool plugged) {
   for (const char* name : {"dial-box", "stick-left", "stick-right"})
     static_cast<void>(plugged ? scene.target.rig().Plug(name) : scene.target.rig().Unplug(name));

@@ -30,6 +30,7 @@ struct EventTimes {
 };
 
 // Lines of the agent: "stick NANOSECONDS" and "flip SAMPLED PRESENTED".
+// Times are nanoseconds of the machine's clock; a line of another kind is passed over.
 void ReadMoments(const std::string& told, EventTimes& moments) {
   std::istringstream lines(told);
   std::string kind;

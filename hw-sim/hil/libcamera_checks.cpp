@@ -13,6 +13,7 @@ using std::chrono::seconds;
 constexpr Duration kLibcameraAnswer = seconds(120);
 constexpr Duration kLibcameraLongest = seconds(120);
 constexpr double kWatched_s = 10;
+// An empty name behind "libcamera:" stands for the first camera that it finds.
 // Tools of the bench's disk: the image has no libcamera.
 constexpr const char* kCameras = "tool kaori-lips --device libcamera: --modes";
 constexpr const char* kLips = "start-tool kaori-lips --device libcamera: --board /run/kaori/board";
@@ -60,6 +61,7 @@ Result<void> Libcamera(Scene& scene) {
   const auto program = agent.Ask(kLips, kLibcameraAnswer);
   if (!program) return tl::unexpected(program.error());
   auto watched = WatchLips(scene);
+  // The answer to start-tool names the program; that to "end" is what the program has said.
   const auto said = agent.Ask("end " + *program, kLibcameraAnswer);
   scene.finding.texts.emplace_back("kaori-lips", said ? *said : said.error().message());
   return watched;

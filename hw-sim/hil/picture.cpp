@@ -24,6 +24,7 @@ constexpr double kLeastLit = 0.08;
 constexpr int kLeastColours = 60;
 
 // BT.709's weights in 256ths.
+// The weights are 0.2126, 0.7152 and 0.0722, rounded to a sum of 256; the result is 0 to 255.
 int Luma(const std::uint8_t* rgb) {
   return (54 * rgb[0] + 183 * rgb[1] + 19 * rgb[2]) >> 8;
 }
@@ -43,6 +44,7 @@ Result<Points> ReadPpm(const std::string& path) {
   Points points;
   int range = 0;
   file >> kind >> points.width_px >> points.height_px >> range;
+  // The bound keeps a damaged head from asking for more memory than the machine has.
   constexpr int kMost_px = 16384;
   const bool valid = file && kind == "P6" && range == 255 && points.width_px > 0 && points.height_px > 0 &&
                      points.width_px <= kMost_px && points.height_px <= kMost_px;
@@ -56,6 +58,7 @@ Result<Points> ReadPpm(const std::string& path) {
   return points;
 }
 
+// A name that ends in .ppm is of a PPM, any other of a PNG. libpng converts what is not 8 bits of RGB.
 Result<Points> Read(const std::string& png) {
   if (png.ends_with(".ppm")) return ReadPpm(png);
   png_image image{};
@@ -165,6 +168,7 @@ Result<int> CountMarks(const std::string& file, const std::array<int, 3>& colour
   const int pitch_px = std::max(1, std::min(points->height_px / kRows, points->width_px * 2 / kLetters));
   int marks = 0;
   for (int y = pitch_px / 2 + pitch_px / 2; y < points->height_px - pitch_px; y += pitch_px) {
+    // The mark's middle is three quarters of a row from the left edge.
     const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(points->width_px) +
                                 static_cast<std::size_t>(pitch_px * 3 / 4));
     int apart = 0;

@@ -9,6 +9,7 @@ namespace {
 
 using std::chrono::seconds;
 
+// The two bounds are for an emulated machine on a busy computer.
 constexpr Duration kPowerAnswer = seconds(60);
 constexpr Duration kLongestStop = seconds(180);
 constexpr Duration kPlaysOn = seconds(15);  // Longer than a stop of this machine takes to begin.
@@ -25,6 +26,7 @@ Result<void> WantIgnored(Scene& scene) {
   return FailInput("the box does not say that the power button was pressed");
 }
 
+// The key is on when the board says so: the bridge reports its lines some time after they have changed.
 Result<void> TurnKeyOn(Scene& scene) {
   scene.target.rig().gpio().Close(kServiceKey);
   const auto on = [](const BoardView& board) {

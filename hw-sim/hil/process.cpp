@@ -16,6 +16,7 @@ namespace kaori::hil {
 namespace {
 
 // argv for exec: pointers into `words`, and a null.
+// exec does not write to the words, although its type would allow it; they must outlive the pointers.
 std::vector<char*> Pointers(const std::vector<std::string>& words) {
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);
@@ -33,6 +34,7 @@ std::vector<char*> Pointers(const std::vector<std::string>& words) {
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  // Standard output and standard error share one log, which begins empty.
   const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   ::dup2(file, STDOUT_FILENO);
   ::dup2(file, STDERR_FILENO);
@@ -52,6 +54,7 @@ Result<Process> Process::Start(const std::vector<std::string>& words, const std:
   return Process(number);
 }
 
+// SIGKILL is not caught by anybody, so that the wait is short; the child is reaped, and leaves no zombie.
 Process::~Process() {
   if (number_ <= 0) return;
   ::kill(number_, SIGKILL);
@@ -84,6 +87,7 @@ Result<void> RunToEnd(const std::vector<std::string>& words, const std::string& 
   if (number < 0) return FailErrno("fork");
   if (number == 0) Become(words, log, {});
   int status = 0;
+  // The call blocks the bench: it is for tools that end by themselves.
   ::waitpid(number, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   return FailInput(words[0] + " failed: " + ReadFile(log).value_or("it left no log"));

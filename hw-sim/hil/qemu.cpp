@@ -38,6 +38,7 @@ json::Object DeviceOf(UnauthorisedDevice device) {
 }
 
 // Empty where there is no such file.
+// The bound of 256 MiB is above any log of a run, and keeps a log that grows without end out of memory.
 std::string TextOf(const std::string& path) {
   return ReadFile(path, {.most_bytes = std::size_t{256} << 20U}).value_or("");
 }
@@ -72,6 +73,7 @@ Result<void> QemuDriver::On() {
   return {};
 }
 
+// The image's own disk is used without a copy where no settings are put on it.
 Result<std::string> QemuDriver::Disk() {
   const std::string disk = setup_.disk.empty() ? options_.image + "/kaori.disk" : setup_.disk;
   if (setup_.settings.empty()) return disk;
@@ -101,6 +103,7 @@ Result<void> QemuDriver::Start() {
   return {};
 }
 
+// Power is cut without a warning to the guest. A second call does nothing.
 void QemuDriver::Off() {
   // The lines to it first: they break with the process.
   screens_.clear();
@@ -109,6 +112,7 @@ void QemuDriver::Off() {
   window_.reset();
 }
 
+// The picture is that of the moment; QEMU writes the file before it answers.
 Result<void> QemuDriver::Shoot(int head, const std::string& file) {
   if (!qmp_) return Fail(std::errc::no_such_device, "take a picture of the screen");
   // QEMU does not know what was drawn on the bench: the picture is read from X.
@@ -117,6 +121,7 @@ Result<void> QemuDriver::Shoot(int head, const std::string& file) {
                   {{"filename", file}, {"format", "png"}, {"device", "screens"}, {"head", head}});
 }
 
+// A size tells the guest of a screen: QEMU makes an EDID of it and reports a change of the connector.
 Result<void> QemuDriver::PlugScreen(int head, int width_px, int height_px) {
   const auto n = static_cast<std::size_t>(head);
   if (n >= screens_.size())
@@ -124,10 +129,12 @@ Result<void> QemuDriver::PlugScreen(int head, int width_px, int height_px) {
   return screens_[n].Resize(width_px, height_px);
 }
 
+// All threads of QEMU stop at once; its sockets stay open meanwhile.
 void QemuDriver::Freeze(bool frozen) const {
   if (process_) ::kill(process_->number(), frozen ? SIGSTOP : SIGCONT);
 }
 
+// One unauthorised device at a time: all of them have the same id and the same port.
 Result<void> QemuDriver::PlugUnauthorised(UnauthorisedDevice device) {
   if (!qmp_) return Fail(std::errc::no_such_device, "plug in an unauthorised device");
   return qmp_->Do("device_add", DeviceOf(device));
@@ -153,6 +160,7 @@ Result<void> QemuDriver::PullUnauthorised() {
   return qmp_->Do("device_del", {{"id", "unauthorised"}});
 }
 
+// QEMU reports the press to the guest by ACPI; what comes of it is the guest's decision.
 Result<void> QemuDriver::PressPower() {
   if (!qmp_) return Fail(std::errc::no_such_device, "press the power button");
   return qmp_->Do("system_powerdown");

@@ -33,6 +33,7 @@ void Add(std::vector<std::string>& command, std::initializer_list<std::string> w
   command.insert(command.end(), words);
 }
 
+// Each output has a VNC server of its own: its client is what plugs in a screen and sets its size.
 void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
   const std::string size =
       fmt::format("id=screens,xres={},yres={}", WidthOf(options, setup), HeightOf(options, setup));
@@ -46,6 +47,7 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
   for (int head = 0; head < setup.screens; ++head)
     Add(command, {"-vnc", fmt::format("unix:{},id=vnc{},display=screens,head={}", ScreenPath(options, head),
                                       head, head)});
+  // A machine without graphics gets none of these devices.
   if (setup.graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
 }
 

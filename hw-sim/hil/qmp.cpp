@@ -11,6 +11,7 @@ constexpr Duration kQmpLongest = std::chrono::seconds(60);  // An emulated machi
 
 }  // namespace
 
+// QEMU greets with its version in one line of JSON, which is read and not looked at.
 Result<Qmp> Qmp::Call(const std::string& path, Waiter& waiter) {
   auto stream = Stream::Call(path, waiter, kQmpLongest);
   if (!stream) return tl::unexpected(stream.error());
@@ -21,6 +22,7 @@ Result<Qmp> Qmp::Call(const std::string& path, Waiter& waiter) {
   return qmp;
 }
 
+// Messages of QMP end with a newline and have none within. The line is returned without it.
 Result<std::string> Qmp::NextLine() {
   bool there = true;
   // An end that has gone also ends the wait; a line that came before is still read.
@@ -44,6 +46,7 @@ Result<void> Qmp::Do(const std::string& command, json::Object arguments) {
   while (true) {  // Between command and answer events may come.
     const auto line = NextLine();
     if (!line) return tl::unexpected(line.error());
+    // The parser is told not to throw: text that is no JSON gives a value that contains nothing.
     const auto answer = nlohmann::json::parse(*line, nullptr, false);
     // An event has neither, and is passed over. What is no JSON is as well.
     if (answer.contains("return")) return {};

@@ -62,6 +62,7 @@ std::string TextFile(const std::string& check, const std::string& text) {
 }
 
 // Texts come before the page that links to them.
+// A write that fails ends it: what was written until then stays in the folder.
 Result<void> WriteReport(const Report& report, const std::string& folder) {
   for (const ReportedCheck& check : report.checks)
     for (const auto& [name, text] : check.finding.texts)

@@ -53,6 +53,7 @@ Result<void> SerialAgentDriver::Find(Duration longest) {
   return Fail(std::errc::timed_out, "find the agent in the guest");
 }
 
+// Numbers count up over the whole run, so that a late answer is never taken for that of a later question.
 Result<std::string> SerialAgentDriver::Ask(const std::string& question, Duration longest) {
   if (!stream_) return Fail(std::errc::no_such_device, "ask " + question);
   const std::uint32_t number = ++asked_;

@@ -42,6 +42,7 @@ Result<Pace> Measure(Scene& scene) {
 
 // Who in the machine had its processors.
 void AddShares(Scene& scene, const std::string& when) {
+  // systemd counts the time of each unit's control group since the unit began, in nanoseconds.
   constexpr const char* kShares =
       "own /usr/bin/systemctl show -p Id,CPUUsageNSec kaori-stage kaori-lips kaori-input systemd-journald";
   const auto told = scene.target.agent().Ask(kShares, seconds(60));

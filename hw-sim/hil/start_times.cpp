@@ -13,6 +13,7 @@ constexpr int kColoursOfAPicture = 100;
 
 }  // namespace
 
+// A picture that cannot be taken shows nothing: callers ask again.
 bool ShowsAnyPicture(Target& target, const std::string& shot) {
   if (!target.machine().Shoot(0, shot)) return false;
   const auto picture = LookAt(shot);

@@ -13,6 +13,7 @@ constexpr std::uint32_t kFirstFrames = 3;
 
 // A box with this setup that still runs is kept: a start takes half a minute at least.
 Result<void> PlayStrategy::Play(const Setup& setup) {
+  // Setups are compared as a whole: a box with any other field is another box.
   if (plays_ && target_.machine().setup() == setup && target_.machine().runs()) return {};
   Off();
   target_.machine().SetUp(setup);
@@ -37,6 +38,7 @@ void PlayStrategy::Recover(std::int64_t input_since_ns) {
   if (!ok) Off();
 }
 
+// The steps are those of a start on a stage: cables, power, the first face, the devices.
 Result<void> PlayStrategy::SwitchOn() {
   const Time began = target_.clock().now();
   const bool plugged = target_.machine().setup().plugged;
@@ -50,6 +52,7 @@ Result<void> PlayStrategy::SwitchOn() {
   return plugged ? AwaitInputDevices(0) : Result<void>{};
 }
 
+// Errors: timed_out, with what the board said of the sticks at the last look.
 Result<void> PlayStrategy::AwaitFrames() {
   const auto plays = [](const BoardView& board) {
     return board.stage.live && board.stage.frames >= kFirstFrames;
@@ -59,6 +62,7 @@ Result<void> PlayStrategy::AwaitFrames() {
   return {};
 }
 
+// After a restart of the input program the board keeps its old values: only what was heard since then counts.
 Result<void> PlayStrategy::AwaitInputDevices(std::int64_t since_ns) {
   const bool keys = target_.machine().setup().keyboards;
   const auto found = [&](const BoardView& board) {

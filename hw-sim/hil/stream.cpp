@@ -22,6 +22,7 @@ Result<Stream> Stream::Call(const std::string& path, Waiter& waiter, Duration lo
   return Fail(std::errc::timed_out, "call " + path);
 }
 
+// False is returned once the other end has closed; bytes that came before stay in waiting_.
 bool Stream::Read() {
   // More than a question's answer; the socket is read until it is empty.
   std::array<char, 65536> part;

@@ -15,8 +15,10 @@ namespace {
 using std::chrono::milliseconds;
 
 // How often whatever is waited for is looked at.
+// Most conditions look at a file or a process, which nothing announces: they are asked again.
 constexpr Duration kLookAgain = milliseconds(20);
 constexpr Duration kInputStep = milliseconds(4);  // Simulated input moves in steps of this.
+// A question costs the guest time: asked more often, it would slow down what is measured.
 constexpr Duration kAskAgain = milliseconds(100);
 // An emulated machine that starts its programs answers slowly.
 constexpr Duration kLongestAnswer = std::chrono::seconds(90);
@@ -46,6 +48,7 @@ Target::Target(QemuOptions options, std::unique_ptr<sim::UsbRig> rig, const Cloc
       machine_(std::move(options), *this),
       agent_(machine_.options().folder + "/serial", *this) {}
 
+// The object stays where it is, since machine and agent keep references to it as their waiter.
 Result<std::unique_ptr<Target>> Target::Open(QemuOptions options, const Clock& clock) {
   auto rig = sim::UsbRig::Open(options.folder, clock);
   if (!rig) return tl::unexpected(rig.error());
@@ -90,6 +93,7 @@ Result<void> Target::Await(const std::function<bool()>& right, Duration longest,
 
 Result<BoardView> Target::UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
                                      const std::string& what) {
+  // The last board that was seen is kept for the message.
   Result<BoardView> board = Fail(std::errc::timed_out, what);
   const auto seen = [&] {
     board = Board();
@@ -101,11 +105,13 @@ Result<BoardView> Target::UntilBoard(const std::function<bool(const BoardView&)>
               what + " (" + (board ? DescribeSticks(*board) : board.error().message()) + ")");
 }
 
+// The wait ends early where the machine ends: its log does not grow any more.
 bool Target::UntilConsole(std::initializer_list<std::string_view> parts, Duration longest) {
   const auto said = [&] { return HasLine(machine_.console(), parts); };
   return Until([&] { return said() || !machine_.runs(); }, longest) && said();
 }
 
+// The order is that of the sockets, and so of the ports of QEMU's controller.
 Result<void> Target::PlugAll() {
   for (const std::string_view name : sim::kUsbSockets)
     if (auto ok = rig_->Plug(name); !ok) return ok;

@@ -6,13 +6,18 @@
 namespace kaori::hil {
 namespace {
 
+// The bound is for an emulated machine on a busy computer; an answer usually takes milliseconds.
 constexpr Duration kVncLongest = std::chrono::seconds(60);
+// Security type 1 is "None" (RFC 6143, 7.2.1); a shared client does not throw out others (7.3.1).
 constexpr char kNoPassword = 1, kShared = 1;
+// Message types of the client: 2 is of the RFC, 251 of the community's extension for desktop sizes.
 constexpr char kSetEncodings = 2;
 constexpr std::uint8_t kSetDesktopSize = 251;
+// Encodings below 0 are pseudo-encodings: with them the client says that it understands a changed size.
 constexpr std::int32_t kRaw = 0, kExtendedDesktopSize = -308, kDesktopSize = -223;
 
 // Numbers are big-endian.
+// Only the lower 16 bits are sent.
 std::string Big16(int number) {
   return {static_cast<char>(number >> 8), static_cast<char>(number)};
 }
@@ -21,6 +26,7 @@ std::string Big32(std::int32_t number) {
   return Big16(number >> 16) + Big16(number);
 }
 
+// The four bytes must be there: Next has read them.
 std::uint32_t Number32(const std::string& bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (std::size_t n = at; n < at + 4; ++n) number = number << 8 | static_cast<std::uint8_t>(bytes[n]);
@@ -76,6 +82,7 @@ Result<void> VncScreen::Greet() {
   return {};
 }
 
+// The answer of the server is not waited for: a check sees in the guest whether the size has changed.
 Result<void> VncScreen::Resize(int width_px, int height_px) {
   if (!stream_.Read()) return Fail(std::errc::no_such_device, "plug in a screen");
   stream_.Drop(stream_.waiting().size());  // What the server says of the picture is not looked at.

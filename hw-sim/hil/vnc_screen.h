@@ -8,6 +8,8 @@
 
 namespace kaori::hil {
 
+// One session with one output of the machine, which ends with the object. Movable. One thread: that of
+// the waiter.
 class VncScreen {
  public:
   // Begins a session with the server of one output. The waiter outlives it. Errors: timed_out,
@@ -19,7 +21,9 @@ class VncScreen {
 
  private:
   VncScreen(Stream stream, Waiter& waiter) : stream_(std::move(stream)), waiter_(&waiter) {}
+  // Waits a minute at most for so many bytes. Errors: timed_out, no_such_device.
   Result<std::string> Next(std::size_t bytes);
+  // The handshake: version, security, and the encodings that this client understands.
   Result<void> Greet();
 
   Stream stream_;

@@ -18,6 +18,7 @@ namespace kaori::hil {
 namespace {
 
 constexpr Duration kXScreenLongest = std::chrono::seconds(60);
+// A screen of 8K has 127 MiB at 4 bytes a point: twice that much is read.
 constexpr std::size_t kMostDump_bytes = std::size_t{256} << 20U;
 constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;  // Of QEMU's window.
 constexpr int kFirstNumber = 100;                                   // People's own screens have small ones.
@@ -28,6 +29,7 @@ constexpr int kNumbers = 10'000;
 // with the window's name; the colour table lies between it and the points.
 constexpr std::size_t kHeadBytes = 0, kWidth = 4, kHeight = 5, kByteOrder = 7, kBitsOfPoint = 11,
                       kLineBytes = 12, kColours = 19, kHeadWords = 25;
+// An entry of the colour table has 12 bytes (XWDColor); a point of depth 24 is stored in 4.
 constexpr std::size_t kColourBytes = 12, kPointBytes = 4;
 
 // A dump's points, from the top row on; rows may be padded.
@@ -44,8 +46,10 @@ std::optional<Dump> Understand(std::span<const std::uint8_t> bytes) {
     return static_cast<std::uint32_t>(bytes[4 * n] << 24 | bytes[4 * n + 1] << 16 | bytes[4 * n + 2] << 8 |
                                       bytes[4 * n + 3]);
   };
+  // Points begin behind the head, the window's name and the colour table.
   const std::size_t before = word(kHeadBytes) + word(kColours) * kColourBytes;
   Dump dump{word(kWidth), word(kHeight), word(kLineBytes), {}};
+  // A byte order of 0 is the least significant byte first, as Xvfb writes on PCs.
   const bool valid = word(kBitsOfPoint) == 8 * kPointBytes && word(kByteOrder) == 0 &&
                      dump.line_bytes >= dump.width_px * kPointBytes &&
                      bytes.size() >= before + dump.line_bytes * dump.height_px;
@@ -82,12 +86,15 @@ struct Sides {
 // screen does.
 Sides SidesFor(int window, std::size_t begun_px) {
   const auto window_px = static_cast<std::size_t>(window);
+  // With b as the begun and w as the window's length, the window begins at (s - b) / 2 and needs w:
+  // s = 2 w - b is the smallest screen in which it ends at the edge.
   const std::size_t screen_px = window_px > begun_px ? 2 * window_px - begun_px : begun_px;
   return {screen_px, (screen_px - begun_px) / 2, window_px};
 }
 
 }  // namespace
 
+// Xvfb maps the file of its dump, so that no X client is needed to read the screen.
 Result<void> WriteDumpAsPng(const std::string& dump_file, const DumpPart& part, const std::string& file) {
   const auto bytes = ReadFile(dump_file, {.most_bytes = kMostDump_bytes});
   if (!bytes) return tl::unexpected(bytes.error());

@@ -26,6 +26,7 @@ struct Words {
   const char* rules;
 };
 
+// A text may leave out one of its values, but {0} and {1} mean the same in both languages.
 constexpr Words kEnglish{
     .language = "en",
     .title = "Cue sheet",
@@ -57,6 +58,7 @@ constexpr Words kEnglish{
     .rules = "A second GO within {1} s is refused. A jump to a cue takes {2} s. PANIC goes to the scene {0}.",
 };
 
+// Both tables have all fields: a text that is missing in one of them would be a null pointer.
 constexpr Words kJapanese{
     .language = "ja",
     .title = "キューシート",
@@ -133,6 +135,7 @@ class CueSheetWriter {
       }
       rows += Row(i);
     }
+    // A show without scenes can have no panic scene: its name is left empty, since its index points nowhere.
     const std::string rules =
         Say(words_.rules, Escaped(show_.scenes.empty() ? "" : show_.scenes[list_.panic.index].name),
             Number(list_.go_guard_s), Number(list_.goto_s));
@@ -158,6 +161,7 @@ class CueSheetWriter {
   // cues come by themselves.
   std::string Row(std::size_t at) const {
     const show::Cue& cue = list_.cues[at];
+    // The first cue has none before it that could play it, so a person always calls it.
     const bool alone = at == 0 || list_.cues[at - 1].next == show::CueNext::kGo;
     std::string happens;
     for (const std::string& line : Lines(cue)) happens += fmt::format("<li>{}</li>", Escaped(line));
@@ -172,6 +176,7 @@ class CueSheetWriter {
   // What begins the cue, its pre-wait, and the person for whom it then waits.
   std::string Begins(std::size_t at) const {
     const show::Cue& cue = list_.cues[at];
+    // The cue before says how this one begins: `next` of a cue is about the one that follows it.
     const auto before = at == 0 ? show::CueNext::kGo : list_.cues[at - 1].next;
     std::string begins = before == show::CueNext::kContinue ? words_.with_previous
                          : before == show::CueNext::kFollow ? words_.after_previous
@@ -181,6 +186,7 @@ class CueSheetWriter {
     const char* person = cue.wait.person == show::CuePerson::kMouthShut    ? words_.mouth_shut
                          : cue.wait.person == show::CuePerson::kVoiceQuiet ? words_.voice_quiet
                                                                            : words_.presence;
+    // The text of a person has its time as {1}, and its {0} is unused: an empty text fills it.
     const std::string waits =
         Say(words_.or_after, Say(person, "", Number(cue.wait.for_s)), Number(cue.wait.at_most_s));
     return fmt::format("{}; {}", begins, waits);
@@ -201,15 +207,19 @@ class CueSheetWriter {
     call(words_.scene, cue.scene, [&](auto i) { return show_.scenes[i].name; });
     call(words_.face, cue.face, [&](auto i) { return show_.cast.faces[i].name; });
     call(words_.expression, cue.expression, [&](auto i) { return show_.cast.expressions[i].name; });
+    // Styles have no names of their own in a show: those of the renderer are the same on every box.
     call(words_.style, cue.style, [](auto i) { return scene::kStyleNames[i]; });
     if (cue.light) lines.push_back(In(Say(words_.light, Number(cue.light->value * 100)), cue.light->in_s));
+    // The value is a target from 0 to 1 of her presence; any above 0 brings her into the picture.
     if (cue.present)
       lines.push_back(In(cue.present->value > 0 ? words_.present : words_.absent, cue.present->in_s));
+    // The index is negative where the cue plays no motion, and has a value of its own where it ends them.
     if (cue.motion == show::kEndsMotion) lines.emplace_back(words_.no_motion);
     if (cue.motion >= 0) lines.push_back(Line(show_.motions[static_cast<std::size_t>(cue.motion)]));
     return lines;
   }
 
+  // A loop is told before a sound: it goes on until another cue ends it, which the caller must know.
   std::string Line(const show::Motion& motion) const {
     if (motion.Loops()) return Say(words_.looping, motion.name);
     return Say(motion.sound.samples.empty() ? words_.motion : words_.sounding, motion.name);

@@ -13,6 +13,7 @@ namespace {
 // `before`, new ones last. O(n^2): there are some hundred at most.
 template <class Items, class Compare>
 void CompareByName(const char* kind, const Items& before, const Items& after, Lines& lines, Compare compare) {
+  // The name is compared and not the index: indices of a pack change whenever an item is added before others.
   const auto find = [](const Items& items, const std::string& name) {
     return std::ranges::find(items, name, [](const auto& item) { return item.name; });
   };
@@ -68,6 +69,7 @@ std::vector<std::string> Differences(const show::Show& before, const show::Show&
   if (before.name != after.name)
     lines.push_back(fmt::format("show: \"{}\" is now \"{}\"", before.name, after.name));
   CompareTopology(before.cast.topology, after.cast.topology, lines);
+  // Faces are compared even where the topologies differ: CompareFace looks at the counts itself.
   CompareFaces(before.cast, after.cast, lines);
   CompareExpressions(before.cast, after.cast, lines);
   CompareByName("motion", before.motions, after.motions, lines,
@@ -78,6 +80,7 @@ std::vector<std::string> Differences(const show::Show& before, const show::Show&
                 [&](const std::string& item, const show::StageScene& a, const show::StageScene& b) {
                   CompareScene(item, {before, a}, {after, b}, lines);
                 });
+  // Controls and lobby come last, since they call the items that the lines above have told of.
   CompareControls(before, after, lines);
   CompareLobby(before, after, lines);
   return lines;

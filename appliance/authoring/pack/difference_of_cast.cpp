@@ -14,6 +14,7 @@ namespace {
 constexpr float kMillimetre_m = 1e-3F;
 
 // How far points moved: the largest distance and the mean.
+// The sum has double precision: a mesh has thousands of points, and their distances are fractions of a mm.
 struct Motion {
   float most_m = 0;
   double sum_m = 0;
@@ -40,6 +41,7 @@ Motion MotionOf(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b
 }
 
 // Both eyes in one line: the larger of each.
+// The centres are in the face's own space, in metres, as its vertices are.
 void CompareEyes(const std::string& item, const face::Face& a, const face::Face& b, Lines& lines) {
   Motion centres;
   float radius_m = 0;
@@ -64,6 +66,8 @@ bool SameEyeSurface(const face::EyeSurface& a, const face::EyeSurface& b) {
          a.spokes == b.spokes && a.rings == b.rings && a.wet == b.wet && a.glow == b.glow;
 }
 
+// One line of the result stands for all of these fields.
+// The texture is not among them: CompareTexture has a line of its own for it.
 bool SameLook(const face::Face& a, const face::Face& b) {
   return a.eye_look.iris == b.eye_look.iris && a.eye_look.iris_radius_m == b.eye_look.iris_radius_m &&
          a.eye_look.lash_length_m == b.eye_look.lash_length_m &&
@@ -78,6 +82,7 @@ bool SameLook(const face::Face& a, const face::Face& b) {
 std::map<std::string, glm::vec3> MovesByPoint(const WornExpression& worn) {
   std::map<std::string, glm::vec3> moves;
   for (std::size_t i = 0; i < worn.net.points.size(); ++i)
+    // Displacements are in metres and in the order of the net's points, as CheckShow has made sure.
     moves[worn.net.points[i].name] = worn.expression.displacement[i];
   return moves;
 }

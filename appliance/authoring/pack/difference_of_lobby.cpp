@@ -11,6 +11,7 @@ namespace {
 using show::Lobby;
 
 // As lobby.toml names them.
+// All but sleep_light are seconds; that one is the light while she sleeps, as a part of the full light.
 constexpr std::array<std::pair<const char*, float Lobby::*>, 7> kLobbyTimes{
     {{"arrive_s", &Lobby::arrive_s},
      {"leave_s", &Lobby::leave_s},
@@ -19,6 +20,7 @@ constexpr std::array<std::pair<const char*, float Lobby::*>, 7> kLobbyTimes{
      {"sleep_s", &Lobby::sleep_s},
      {"sleep_light", &Lobby::sleep_light},
      {"hand_back_s", &Lobby::hand_back_s}}};
+// Minutes of the week count from Monday 00:00, so that a day's index is its minute divided by kDayMinutes.
 constexpr std::array<const char*, 7> kDays{"monday", "tuesday",  "wednesday", "thursday",
                                            "friday", "saturday", "sunday"};
 
@@ -28,6 +30,7 @@ std::string LobbyCueOf(const show::Show& show) {
   return show.lobby->cue < cues.size() ? cues[show.lobby->cue].number : "nothing";
 }
 
+// A visitor below 0 is none: the lobby then has no target for her gaze.
 std::string VisitorOf(const show::Show& show) {
   const auto index = static_cast<std::size_t>(show.lobby->visitor);
   return show.lobby->visitor >= 0 && index < show.gaze_targets.size() ? show.gaze_targets[index].name
@@ -35,6 +38,7 @@ std::string VisitorOf(const show::Show& show) {
 }
 
 // "hello (en), bow"; "none".
+// The language is a tag such as "ja" or "en-GB", and may be empty.
 std::string TakesOf(const show::Show& show, const std::vector<show::LobbyTake>& takes) {
   std::string words;
   for (const show::LobbyTake& take : takes) {
@@ -49,6 +53,7 @@ std::string TakesOf(const show::Show& show, const std::vector<show::LobbyTake>& 
 // "friday 17:00-01:30, ..."; "always".
 std::string HoursOf(const Lobby& lobby) {
   const auto time = [](std::int32_t minute) {
+    // An opening may end on the next day: the day that is told is that of its beginning.
     return fmt::format("{:02}:{:02}", minute / 60 % 24, minute % 60);
   };
   std::string words;
@@ -64,6 +69,7 @@ std::string HoursOf(const Lobby& lobby) {
 
 // Numbers are compared as they are told, to a hundredth: what reads the same is no difference.
 void CompareLobby(const show::Show& a, const show::Show& b, Lines& lines) {
+  // A show without a lobby.toml has none, and then there is nothing to compare.
   if (!a.lobby && !b.lobby) return;
   if (!a.lobby || !b.lobby) {
     lines.emplace_back(a.lobby ? "lobby: is gone" : "lobby: is new");

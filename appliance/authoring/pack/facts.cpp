@@ -20,6 +20,7 @@ std::string Hex(const show::PublicKey& key) {
   return fmt::format("{:02x}", fmt::join(key.bytes, ""));
 }
 
+// The order is that of the pack.
 template <class Items>
 std::vector<std::string> NamesOf(const Items& items) {
   std::vector<std::string> names;
@@ -28,6 +29,7 @@ std::vector<std::string> NamesOf(const Items& items) {
   return names;
 }
 
+// One list of the cast holds all three kinds, since all of them are displacements of the same control net.
 std::vector<std::string> NamesOfKind(const face::Cast& cast, face::ExpressionKind kind) {
   std::vector<std::string> names;
   for (const face::Expression& e : cast.expressions)
@@ -35,6 +37,7 @@ std::vector<std::string> NamesOfKind(const face::Cast& cast, face::ExpressionKin
   return names;
 }
 
+// Every face of a cast shares one topology, so that these counts hold for each of them.
 void CountCast(const face::Cast& cast, Facts& facts) {
   const auto& topology = cast.topology;
   facts.triangles_of_cage = topology.triangles.size();
@@ -57,6 +60,7 @@ Result<show::Show> LoadTimed(const std::filesystem::path& file, double& quickest
   constexpr int kLoads = 3;
   const SteadyClock clock;
   quickest_ms = std::numeric_limits<double>::max();
+  // The first load that fails ends the loop: a file that cannot be read once is not tried again.
   for (int i = 1;; ++i) {
     const Time begun = clock.now();
     auto show = show::LoadPack(file);
@@ -66,10 +70,12 @@ Result<show::Show> LoadTimed(const std::filesystem::path& file, double& quickest
 }
 
 // A line of the page: item and value in two columns.
+// The width of 18 is that of the longest item, "teeth through lips".
 std::string Row(std::string_view item, const std::string& says) {
   return fmt::format("{:<18} {}\n", item, says);
 }
 
+// The count comes first, in a column of 4, so that lists of different lengths can be compared at a glance.
 std::string Listed(const std::vector<std::string>& names) {
   return fmt::format("{:<4} {}", names.size(), fmt::join(names, " "));
 }
@@ -87,6 +93,7 @@ Result<Facts> GatherFacts(const std::filesystem::path& file,
   const auto show = LoadTimed(file, facts.load_ms);
   if (!show) return tl::unexpected(show.error());
   std::error_code unknown;
+  // A file that vanished after it was loaded has 0 bytes here: that is no reason to lose all other facts.
   const auto bytes = std::filesystem::file_size(file, unknown);
   facts.file_bytes = unknown ? 0 : bytes;
   facts.show = show->name;

@@ -5,6 +5,7 @@ namespace kaori::authoring {
 namespace {
 
 // Numbers for programs, and the line for people.
+// What `measure` is in depends on the finding's kind; `says` has its unit.
 json::List Findings(const inspect::Inspection& looks) {
   json::List list;
   for (const inspect::Finding& finding : looks.findings)
@@ -19,6 +20,7 @@ json::List Findings(const inspect::Inspection& looks) {
 }  // namespace
 
 // Times are milliseconds, lengths of files bytes. `signed_by` is null where nobody signed.
+// The keys are the names of the fields of Facts, and of its inspection.
 std::string FactsJson(const Facts& f) {
   const json::Object page{{"show", f.show},
                           {"file_bytes", f.file_bytes},
@@ -40,11 +42,13 @@ std::string FactsJson(const Facts& f) {
                           {"folds", f.looks.folds},
                           {"lid_gaps", f.looks.lid_gaps},
                           {"teeth_through_lips", f.looks.teeth_through_lips},
+                          // Counts stand above under the same keys.
                           {"names", json::Object{{"faces", json::ListOf(f.faces)},
                                                  {"expressions", json::ListOf(f.expressions)},
                                                  {"mouth_shapes", json::ListOf(f.mouth_shapes)},
                                                  {"channels", json::ListOf(f.channels)}}},
                           {"findings", Findings(f.looks)}};
+  // The indentation of 1 keeps the page readable; the newline ends the last line for tools that read lines.
   return json::Write(page, 1) + "\n";
 }
 

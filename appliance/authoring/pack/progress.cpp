@@ -17,6 +17,7 @@ constexpr std::string_view kEraseLine = "\r\x1b[K";
 // Standard error alone counts: results may go to a file while people watch.
 ProgressLine::ProgressLine() : begun_(clock_.now()), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
+// A log keeps all of its lines: only what stands on a terminal is erased.
 ProgressLine::~ProgressLine() {
   if (on_terminal_ && shown_) fmt::print(stderr, "{}", kEraseLine);
 }
@@ -28,10 +29,12 @@ void ProgressLine::Step(std::string_view what) {
     fmt::print(stderr, "{}{}", kEraseLine, line);
   else
     fmt::print(stderr, "{}\n", line);
+  // A line without a newline may stay in a buffer, whatever the C library says of standard error.
   std::fflush(stderr);
   shown_ = true;
 }
 
+// The erased step is not drawn again: the next Step writes a new line below the note.
 void ProgressLine::Note(std::string_view what) {
   fmt::print(stderr, "{}{}\n", on_terminal_ && shown_ ? kEraseLine : "", what);
 }

@@ -22,12 +22,14 @@ namespace {
 // made or changed.
 constexpr std::size_t kFolder = 1, kName = 2;
 
+// Both bounds are included. Errors: invalid_argument, with the word and the bounds.
 Result<float> NumberOf(const std::string& word, float least, float most) {
   const auto number = ParseNumber<float>(word);
   if (number && *number >= least && *number <= most) return *number;
   return FailInput(fmt::format("{}: a number from {} to {} is expected", word, least, most));
 }
 
+// A typing error in the path must not make a folder "takes" anywhere else, so that show.toml is looked for.
 Result<std::filesystem::path> ShowFolder(const Arguments& arguments) {
   std::filesystem::path folder = arguments.words[kFolder];
   if (!IsThere(folder / "show.toml"))
@@ -48,6 +50,7 @@ Result<void> CheckName(const std::filesystem::path& folder, const Arguments& arg
   return {};
 }
 
+// The answer is the file's path and a description of the take, so that a slip in a number is seen at once.
 Said Save(const std::filesystem::path& folder, const Take& take) {
   if (auto ok = SaveTake(folder, take); !ok) return tl::unexpected(ok.error());
   return fmt::format("{}: {}", FileOfTake(folder, take.name).string(), Described(take));
@@ -55,6 +58,7 @@ Said Save(const std::filesystem::path& folder, const Take& take) {
 
 // "19:43:10.5", as the clock of the evening had it.
 Result<Time> MomentOf(const showlog::LogFile& log, std::string_view text) {
+  // The fraction of a second is read apart, since the log's clock knows whole seconds of a day only.
   const std::size_t dot = std::min(text.find('.'), text.size());
   const auto whole = log.AtDayTime(text.substr(0, dot));
   const auto part_s =
@@ -79,6 +83,7 @@ Result<RecordOptions> StretchOf(const showlog::LogFile& log, const std::string& 
   return RecordOptions{.from = *from, .to = *to};
 }
 
+// The empty text stands for an option that was not given: no option of this verb has a use for one.
 std::string OptionOf(const Arguments& arguments, const std::string& name) {
   const auto option = arguments.options.find(name);
   return option == arguments.options.end() ? "" : option->second;
@@ -90,12 +95,14 @@ Said Record(const Arguments& arguments) {
   if (auto ok = CheckName(*folder, arguments); !ok) return tl::unexpected(ok.error());
   const auto log = showlog::LogFile::Read(arguments.words[4]);
   if (!log) return tl::unexpected(log.error());
+  // A damaged part of the log is no reason to refuse: the stretch that is wanted may lie elsewhere.
   for (const std::string& fault : log->faults()) LogWarning("{}", fault);
   auto options = StretchOf(*log, arguments.words[5]);
   if (!options) return tl::unexpected(options.error());
   const auto show = stage::LoadShowOfLog(arguments.words[3], log->head(), OptionOf(arguments, "--own"));
   if (!show) return tl::unexpected(show.error());
   options->name = arguments.words[kName];
+  // StretchOf knows the two times alone: all else comes from the options of the command line.
   options->with = OptionOf(arguments, "--with");
   options->mouth = arguments.Has("--mouth");
   if (const std::string role = OptionOf(arguments, "--role"); !role.empty()) {
@@ -134,6 +141,7 @@ Said Trim(const Arguments& arguments) {
     const auto from_s = NumberOf(arguments.words[3], 0, show::kLongestMotion_s);
     if (!from_s) return tl::unexpected(from_s.error());
     take.from_s = *from_s;
+    // Without an end the take is played to the end of its recording.
     take.to_s.reset();
     if (arguments.words[4] == "end") return {};
     const auto to_s = NumberOf(arguments.words[4], 0, show::kLongestMotion_s);
@@ -168,6 +176,7 @@ Said Put(const Arguments& arguments) {
 
 Said Loop(const Arguments& arguments) {
   return Changed(arguments, [&](Take& take) -> Result<void> {
+    // The blend keeps its value while the loop is off.
     take.loop = arguments.words[3] != "off";
     if (!take.loop) return {};
     const auto blend_s = NumberOf(arguments.words[3], kShortestBlend_s, kLongestBlend_s);

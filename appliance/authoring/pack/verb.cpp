@@ -26,6 +26,7 @@ std::string CallOf(const Verb& verb) {
   return call;
 }
 
+// Summaries stand in one column, behind the longest call.
 std::string HelpPage(std::span<const Verb> verbs) {
   std::size_t width = 0;
   for (const Verb& verb : verbs) width = std::max(width, CallOf(verb).size());
@@ -46,6 +47,7 @@ int Misused(const std::string& what) {
   return kMisused;
 }
 
+// The word "help" counts only in the place of a verb: behind one it may be the name of a file.
 bool AsksForHelp(std::string_view word) {
   return word == "--help" || word == "-h" || word == "help";
 }
@@ -84,6 +86,7 @@ Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args) 
     }
     const auto option = std::ranges::find(verb.options, arg, &Option::name);
     if (option == verb.options.end()) return FailInput(fmt::format("there is no option {}", arg));
+    // A second value replaces the first one; a switch keeps the empty text.
     std::string& value = arguments.options[std::string(arg)];
     if (option->value.empty()) continue;
     if (++i == args.size()) return FailInput(fmt::format("{} wants a {}", arg, option->value));

@@ -16,6 +16,7 @@ int RunCheck(const Arguments& arguments) {
     fmt::print("{}: no fault\n", arguments.words[0]);
     return 0;
   }
+  // One of the two lists is empty: flaws are looked for only where there is no fault.
   for (const auto* lines : {&faults, &flaws})
     for (const std::string& line : *lines) fmt::print("{}\n", line);
   fmt::print(stderr, "kaori-atelier: {} in {}\n",

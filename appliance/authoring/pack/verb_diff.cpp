@@ -12,6 +12,7 @@ namespace {
 int RunDiff(const Arguments& arguments) {
   const auto before = show::LoadPack(arguments.words[0]);
   if (!before) return ExitWithError(before.error());
+  // Both packs are in memory at a time, and LoadPack has checked them, as Differences wants it.
   const auto after = show::LoadPack(arguments.words[1]);
   if (!after) return ExitWithError(after.error());
   const auto differences = Differences(*before, *after);

@@ -16,6 +16,7 @@ Result<Facts> Gather(const std::string& file) {
   return GatherFacts(file, [&](const std::string& step) { progress.Step(step); });
 }
 
+// What is found in the faces is no failure: the exit status is 0 for every pack that can be read.
 int RunInfo(const Arguments& arguments) {
   const auto facts = Gather(arguments.words[0]);
   if (!facts) return ExitWithError(facts.error());

@@ -13,6 +13,7 @@ int RunKeygen(const Arguments& arguments) {
   const auto key = show::MakeKey();
   if (!key) return ExitWithError(key.error());
   if (const auto ok = show::SaveKey(*key, file); !ok) return ExitWithError(ok.error());
+  // The message names both files, since only one of them may be given away.
   fmt::print("{}: signs packs; keep it to yourself\n{}.pub: for the boxes that are to play them\n", file,
              file);
   return 0;

@@ -11,6 +11,7 @@ namespace {
 int RunLabels(const Arguments& arguments) {
   const auto show = show::LoadPack(arguments.words[0]);
   if (!show) return ExitWithError(show.error());
+  // The file is replaced as a whole, so that a build that is stopped leaves no half of it.
   const std::string json = LabelsJson(*show);
   if (const auto ok = WriteWholeFile(arguments.words[1], {AsBytes(json)}); !ok)
     return ExitWithError(ok.error());

@@ -40,6 +40,7 @@ Result<void> MakePack(const std::filesystem::path& folder, const std::filesystem
 int RunPack(const Arguments& arguments) {
   const auto signer = ReadSigner(arguments);
   if (!signer) return ExitWithError(signer.error());
+  // The line of progress must be gone before the result is printed: its block ends first.
   const std::filesystem::path file = arguments.words[1];
   Result<void> made;
   double took_s = 0;
@@ -49,6 +50,7 @@ int RunPack(const Arguments& arguments) {
     took_s = progress.seconds();
   }
   if (!made) return ExitWithError(made.error());
+  // The size is only told: without it the pack is written all the same.
   std::error_code error;
   fmt::print("{}: {:.1f} MB{}, made in {:.1f} s\n", file.string(),
              static_cast<double>(std::filesystem::file_size(file, error)) * 1e-6, *signer ? ", signed" : "",

@@ -13,6 +13,7 @@
 namespace kaori::authoring {
 namespace {
 
+// One for each file, in the order of the command line, without those that cannot be read.
 using Logs = std::vector<showlog::LogFile>;
 
 // Reads all logs and plays them again, evening by evening. The oldest comes first.
@@ -21,6 +22,7 @@ std::vector<Evening> EveningsOf(const Logs& logs, const show::Show& show) {
   for (std::size_t i = 0; i < logs.size();) {
     std::vector<const showlog::LogFile*> one;
     const showlog::LogHead& first = logs[i].head();
+    // A restart of the stage begins a new file; the box's own start is what separates two evenings.
     for (; i < logs.size() && showlog::IsSameEvening(logs[i].head(), first); ++i) one.push_back(&logs[i]);
     evenings.push_back(ReadEvening(one, show));
   }
@@ -46,6 +48,7 @@ int RunReport(const Arguments& arguments) {
   auto evenings = EveningsOf(logs, *show);
   const Evening evening = std::move(evenings.back());
   evenings.pop_back();
+  // The evenings that are left are the earlier ones, which say what is usual.
   const Report report = ReportOf(evening, evenings, *show);
   fmt::print("{}", TextOfReport(report));
   const auto html = arguments.options.find("--html");

@@ -16,7 +16,9 @@ Result<void> WriteSheets(const Arguments& arguments) {
   const auto studio = stage::Studio::Open(std::move(*show));
   if (!studio) return tl::unexpected(studio.error());
   ProgressLine progress;
+  // Standard output has the names alone, so that a script can read which files there are.
   const auto wrote = [](std::string_view name) { fmt::print("{}\n", name); };
+  // The inspection is what frames faults in red: --quick leaves it out.
   return DrawSheets(**studio, arguments.words[1], {.inspects = !arguments.Has("--quick")}, wrote,
                     [&](std::string_view what) { progress.Step(what); });
 }

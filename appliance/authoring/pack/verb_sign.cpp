@@ -7,11 +7,13 @@
 namespace kaori::authoring {
 namespace {
 
+// Both paths of SignPack are the same: it replaces the file in one step.
 int RunSign(const Arguments& arguments) {
   const std::string &file = arguments.words[0], &key_file = arguments.words[1];
   const auto key = show::ReadSecretKey(key_file);
   if (!key) return ExitWithError(key.error());
   if (const auto ok = show::SignPack(file, file, *key); !ok) return ExitWithError(ok.error());
+  // The fingerprint is short enough to be compared by people, as the whole key is not.
   fmt::print("{}: signed; boxes that have the key {} play it\n", file, show::Fingerprint(key->public_key()));
   return 0;
 }

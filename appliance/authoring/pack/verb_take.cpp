@@ -11,6 +11,7 @@ namespace {
 
 // What makes no sense of the call; empty: it does.
 std::string Misuse(const TakeAction& action, const Arguments& arguments) {
+  // Single blanks separate the words of an action: there is one more of them, and its name.
   const auto wanted = static_cast<std::size_t>(std::ranges::count(action.words, ' ')) + 2;
   if (arguments.words.size() != wanted)
     return fmt::format("take {}: it is called as: kaori-atelier take {} {}", action.name, action.name,
@@ -33,6 +34,7 @@ int RunTake(const Arguments& arguments) {
         arguments.words[0]);
   else
     misuse = Misuse(*action, arguments);
+  // The status 2 says that the command line makes no sense, as Dispatch does for all other verbs.
   if (!misuse.empty()) return ExitWithError(FailInput(misuse).value(), 2);
   const Said said = action->run(arguments);
   if (!said) return ExitWithError(said.error());

@@ -9,6 +9,7 @@ namespace kaori::shows {
 namespace {
 
 // In both languages; to the errors where it is a refusal.
+// The status is that of the program: 0, or 1 for a refusal.
 int Report(const Progress& progress, const std::string& name) {
   const bool refused = IsRefusal(progress.message);
   std::fprintf(refused ? stderr : stdout, "%s\n%s\n",
@@ -29,6 +30,7 @@ int WriteBackup(const CopyPlaces& places, const std::filesystem::path& folder) {
 
 // The differences are listed in each case, before anything is said of what was done.
 int RestoreBackup(RestoreTerms terms, const std::filesystem::path& file, RestoreWhen when) {
+  // The path is kept here, since the terms are moved into the restoration below.
   const std::filesystem::path data = terms.data;
   const std::string name = file.filename().string();
   auto input = backup::OpenInput(file);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostDifferences = 8;  // Lines that a small screen has beside the list.
 
+// `form` is that of strftime(3), in the box's time zone; a text beyond 63 letters becomes empty.
 std::string TimeText(std::time_t wall, const char* form) {
   std::tm local{};
   ::localtime_r(&wall, &local);
@@ -32,6 +33,7 @@ std::string BackupFileName(const std::string& box, std::time_t wall) {
 
 BoxCopies::BoxCopies(CopyPlaces places, Trial trial) : places_(std::move(places)), trial_(std::move(trial)) {}
 
+// A backup that was begun and not finished is given up, and the stick is closed for writing again.
 BoxCopies::~BoxCopies() {
   if (writer_) static_cast<void>(EndBackup(Fail(std::errc::operation_canceled, "write the backup")));
 }
@@ -47,6 +49,7 @@ std::vector<Choosable> BoxCopies::Offers(bool has_stick) const {
   return offers;
 }
 
+// The harmless answer stands first, since the list begins at its first line.
 std::vector<Choosable> BoxCopies::Answers() {
   return {
       {.kind = Choosable::Kind::kNo, .offer = {.file = {}, .name = "leave the box as it is"}, .remark = {}},
@@ -91,6 +94,7 @@ Progress BoxCopies::BeginBackup(const std::filesystem::path& stick) {
   return {Message::kBackingUp};
 }
 
+// Each step is short, so that the program answers its buttons in between.
 Progress BoxCopies::Step() {
   return writer_ ? StepBackup() : restoration_->Step();
 }
@@ -109,6 +113,7 @@ Progress BoxCopies::EndBackup(const Result<void>& written) {
   return {Message::kBackedUp, {}, 1};
 }
 
+// Either answer ends the question; the files of the stick are closed with it.
 Progress BoxCopies::Answer(bool yes) {
   Progress progress = yes ? restoration_->Confirm() : Progress{Message::kLeft};
   restoration_.reset();

@@ -4,6 +4,7 @@
 
 namespace kaori::shows {
 
+// A text that is damaged or cut short is not sound, and counts as none.
 bool HasChoice(const Folder& folder) {
   return store::NewerSound(folder.Read(store::kChoiceFiles[0]), folder.Read(store::kChoiceFiles[1]))
       .has_value();
@@ -22,6 +23,7 @@ Result<void> WriteChoice(Folder& folder, const store::Choice& choice) {
   if (!draft) return tl::unexpected(draft.error());
   if (auto ok = (*draft)->Append(AsBytes(text)); !ok) return ok;
   if (auto ok = (*draft)->Finish(); !ok) return ok;
+  // The two files take turns by the generation, so that the choice before stays whole.
   if (auto ok = folder.Rename(kNewChoice, store::kChoiceFiles[choice.generation % 2]); !ok) return ok;
   return folder.KeepNames();
 }

@@ -17,6 +17,7 @@ constexpr const char* kUnfinished = "root.copying";
 // Content by content, so that what goes to the disk is what the header's checksum was made of.
 Result<void> CopyContent(Source& root, const show::PackSeal& seal, Draft& draft) {
   show::Checksummer sum;
+  // One piece at a time is in memory, since a show may be larger than what is free.
   std::vector<std::uint8_t> piece(Installation::kPiece_bytes);
   for (std::uint64_t left = seal.content_bytes; left > 0;) {
     const auto wanted =
@@ -28,6 +29,7 @@ Result<void> CopyContent(Source& root, const show::PackSeal& seal, Draft& draft)
     if (auto ok = draft.Append(wanted); !ok) return ok;
     left -= wanted.size();
   }
+  // The draft is not finished then, and the caller removes it.
   if (sum.Finish() != seal.checksum)
     return FailInput("the box's own show is damaged: its checksum does not fit");
   return draft.Finish();

@@ -12,6 +12,7 @@
 namespace kaori::shows {
 namespace {
 
+// Only small files such as those of the choice are read as a whole.
 constexpr std::size_t kMostSmallFile_bytes = 4096;
 
 // One file of the folder, as Draft says. A short write is no error: the rest is written by the next call,
@@ -48,6 +49,7 @@ class DiskFolder final : public Folder {
 
   std::filesystem::path path() const override { return path_; }
 
+  // f_bavail leaves out the blocks that ext4 keeps for root, which others cannot write (statvfs(3)).
   Result<std::uint64_t> FreeBytes() const override {
     struct statvfs status {};
     if (::statvfs(path_.c_str(), &status) < 0) return FailErrno("look at " + path_.string());
@@ -62,6 +64,7 @@ class DiskFolder final : public Folder {
     });
   }
 
+  // A file that is not there has 0 bytes, as an empty one.
   std::uint64_t BytesOf(const std::string& name) const override {
     std::error_code none;
     const auto bytes = std::filesystem::file_size(path_ / name, none);
@@ -80,12 +83,14 @@ class DiskFolder final : public Folder {
     return std::make_unique<DiskDraft>(std::move(fd), file);
   }
 
+  // The new name replaces an old file in one step (rename(2)); KeepNames makes that last.
   Result<void> Rename(const std::string& from, const std::string& to) override {
     if (std::rename((path_ / from).c_str(), (path_ / to).c_str()) < 0)
       return FailErrno("rename " + (path_ / from).string());
     return {};
   }
 
+  // A file that is not there is removed already: that is no error.
   Result<void> Remove(const std::string& name) override {
     if (::unlink((path_ / name).c_str()) < 0 && errno != ENOENT)
       return FailErrno("remove " + (path_ / name).string());

@@ -49,6 +49,7 @@ std::vector<Choosable> WaysBack(const Folder& shows) {
 }
 
 std::vector<Choosable> WaysOn(const std::filesystem::path& pending) {
+  // The note has a version's number and little else; a longer file is none.
   constexpr std::size_t kMostNote_bytes = 64;
   const auto waits = update::ParsePending(ReadFile(pending, {.most_bytes = kMostNote_bytes}).value_or(""));
   if (!waits) return {};
@@ -76,6 +77,7 @@ Result<Offered> OffersOf(const std::filesystem::path& stick, const std::vector<C
   for (const auto& offer : *keys)
     if (const auto key = show::ReadPublicKey(offer.file))
       of_keys.push_back({Choosable::Kind::kKey, offer, show::Fingerprint(*key), *key});
+  // The ways that are `below` always have their numbers: shows and keys share what is left.
   const std::size_t all = choices.size() + of_keys.size(), numbers = kMostChoices - below.size();
   choices.resize(std::min(choices.size(), numbers - std::min(of_keys.size(), kRoomForKeys)));
   of_keys.resize(std::min(of_keys.size(), numbers - choices.size()));

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// The error names the old path alone; what stood at the new one is replaced where rename(2) allows it.
 Result<void> RenameOnDisk(const fs::path& from, const fs::path& to) {
   if (std::rename(from.c_str(), to.c_str()) < 0) return FailErrno("rename " + from.string());
   return {};
@@ -30,6 +31,7 @@ Result<void> KeepDisk(const fs::path& folder) {
 
 }  // namespace
 
+// A folder that is not there is no error.
 Result<void> RemoveFolder(const fs::path& folder) {
   std::error_code failed;
   fs::remove_all(folder, failed);
@@ -37,6 +39,7 @@ Result<void> RemoveFolder(const fs::path& folder) {
   return {};
 }
 
+// All folders above are made too; one that is there already is no error.
 Result<void> MakeFolders(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
@@ -44,6 +47,7 @@ Result<void> MakeFolders(const fs::path& folder) {
   return {};
 }
 
+// The blocks that the file system keeps for root are not counted.
 Result<std::uint64_t> FreeBytesOf(const fs::path& folder) {
   struct statvfs status {};
   if (::statvfs(folder.c_str(), &status) < 0) return FailErrno("look at " + folder.string());
@@ -64,10 +68,12 @@ Result<void> LetWait(const fs::path& data, const fs::path& from) {
   return RemoveFolder(dropped);
 }
 
+// The plan is what makes a folder a restore: without it there is nothing that could be put back.
 bool HasKept(const fs::path& data) {
   return IsThere(data / restore::kKept / restore::kPlan);
 }
 
+// What was kept becomes the restore that waits; it is done by the next start of the box, as any other.
 Result<void> PutBack(const fs::path& data) {
   if (!HasKept(data)) return Fail(std::errc::no_such_file_or_directory, "put back what was there before");
   return LetWait(data, data / restore::kKept);

@@ -30,9 +30,11 @@ void InstallService::AcceptSettings(const Choosable& taken) {
     menu_.Offer(settings.Values(taken.id));
     return Tell(Message::kChooseValue, taken.offer.name);
   }
+  // All that is no answer begins something: a value of a setting, a file of the stick, or the way back.
   const bool answers = taken.kind == Choosable::Kind::kYes || taken.kind == Choosable::Kind::kNo;
   const Progress progress =
       answers ? settings.Answer(taken.kind == Choosable::Kind::kYes) : settings.Begin(taken);
+  // The answers begin at line 0, and the differences stand beside them.
   if (settings.asks())
     menu_.Offer(BoxSettings::Answers(), 0, settings.Differences());
   else

@@ -35,6 +35,7 @@ std::string FaultOfSections(const toml::Value& settings) {
     if (!Has(known, name))
       return fmt::format("line {}: there is no section [{}]{}", value.line, name,
                          toml::DidYouMean(name, known));
+    // Sections of the input program may hold further ones: its own reader checks them.
     for (const auto& [inner, part] : value.table)
       if (Has(kOfBoot, name) && part.kind == toml::Value::Kind::kTable)
         return fmt::format("line {}: there is no section [{}.{}]", part.line, name, inner);

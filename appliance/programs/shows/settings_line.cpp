@@ -12,6 +12,7 @@ bool Sets(std::string_view line, std::string_view key) {
   return next != std::string_view::npos && line[next] == '=';
 }
 
+// Both [section] and [[list]] begin so: what follows belongs to them until the end of the text.
 bool IsSection(std::string_view line) {
   const auto first = line.find_first_not_of(" \t");
   return first != std::string_view::npos && line[first] == '[';
@@ -25,6 +26,7 @@ struct Parted {
 
 Parted Part(std::string_view text, std::string_view key) {
   Parted parted;
+  // Only lines before the first section can be those of the key, which is one of the file's top.
   bool at_top = true;
   while (!text.empty()) {
     const auto end = text.find('\n');
@@ -39,6 +41,7 @@ Parted Part(std::string_view text, std::string_view key) {
 
 }  // namespace
 
+// The lines of the key come from `own`, all others from `text`; the key's lines stand in front.
 std::string WithLineOf(std::string_view text, std::string_view own, std::string_view key) {
   return Part(own, key).of_key + Part(text, key).others;
 }

@@ -24,6 +24,8 @@ constexpr std::array<std::string_view, 9> kSecrets{"pass", "secret", "token", "k
 // Names that have such a part and are none.
 constexpr std::array<std::string_view, 1> kNoSecrets{"keyboard"};
 
+// Letters are compared without regard to capitals, and in ASCII alone. A name that is hidden without
+// need does less harm than a password in a file that is sent to somebody.
 bool IsSecret(std::string_view name) {
   std::string lower(name);
   for (char& c : lower)
@@ -33,6 +35,7 @@ bool IsSecret(std::string_view name) {
                              [&](std::string_view part) { return lower.find(part) != std::string::npos; });
 }
 
+// The longest texts are left out as a whole: half a certificate helps nobody.
 std::string InOneLine(const toml::Value& value) {
   switch (value.kind) {
     case toml::Value::Kind::kNumber:
@@ -75,6 +78,7 @@ std::map<std::string, std::string> SettingsOf(const std::string& text) {
 
 }  // namespace
 
+// The result is for people: a fault of the file takes the place of its settings.
 std::string SettingsText(const std::filesystem::path& file) {
   const auto text = ReadFile(file, {.most_bytes = kMostSettings_bytes, .most_levels = kMostLevels});
   if (!text) return text.error().message();

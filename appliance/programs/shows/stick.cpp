@@ -8,11 +8,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A longer name is cut, so that a line of the list holds it with its number and its remark.
 constexpr std::size_t kLongestName = 40;
 constexpr std::size_t kMostLookedAt =
     4096;  // Entries of the folder; a damaged one may seem to have any number.
 
 // FAT keeps capitals or not, as whoever wrote the name did.
+// The extension is given with its point and in small letters.
 bool EndsIn(const fs::path& file, std::string_view extension) {
   std::string end = file.extension().string();
   for (char& c : end)
@@ -37,6 +39,7 @@ Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extensio
         {.file = file, .name = Printable(file.stem().string(), kLongestName), .bytes = odd ? 0 : bytes});
   }
   if (error) return Fail(static_cast<std::errc>(error.value()), "read the stick " + stick.string());
+  // The order of a folder on FAT is that of writing, which means nothing to whoever chooses.
   std::ranges::sort(offers, {}, &Offer::name);
   return offers;
 }

@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Where the kernel's list points to: the path of a device below its bus.
+// An entry that cannot be resolved has an empty path, and is on no bus.
 bool IsOnUsb(const fs::path& entry) {
   std::error_code none;
   return fs::canonical(entry, none).string().find("/usb") != std::string::npos;
@@ -41,6 +42,7 @@ bool HasPartitions(const fs::path& entry) {
   return false;
 }
 
+// Files of a stick are never programs or devices of the box, and reading them writes no access times.
 constexpr unsigned long kSafe = MS_NODEV | MS_NOSUID | MS_NOEXEC | MS_NOATIME;
 
 }  // namespace
@@ -51,6 +53,7 @@ std::vector<std::string> FindSticks(const fs::path& blocks) {
   const auto root = DiskOfRoot(blocks);
   for (fs::directory_iterator it(blocks, none), end; !none && it != end; it.increment(none)) {
     if (!IsOnUsb(it->path()) || (root && IsWithin(it->path(), *root))) continue;
+    // A stick without a partition table holds its file system on the whole disk.
     if (IsPartition(it->path()) || !HasPartitions(it->path()))
       sticks.push_back(it->path().filename().string());
   }

@@ -8,6 +8,7 @@
 namespace kaori::shows {
 
 Result<std::optional<std::filesystem::path>> Sticks::Look() {
+  // The kernel's list is read at each look: no event of a device can be missed in that way.
   const auto there = FindSticks("/sys/class/block");
   const auto is_out = [&](const std::string& device) {
     return std::ranges::find(there, device) == there.end();
@@ -19,12 +20,14 @@ Result<std::optional<std::filesystem::path>> Sticks::Look() {
     if (holds_something_) break;
     if (device != device_ && std::ranges::find(refused_, device) == refused_.end()) Try(device);
   }
+  // A change is told as an absence first, so that a list of the stick before is given up.
   if (!before.empty() && device_ != before) return std::optional<std::filesystem::path>();
   if (mount_) return std::optional(at_);
   if (there.empty()) return std::optional<std::filesystem::path>();
   return tl::unexpected(fault_);
 }
 
+// Without a stick there is nothing to do, and that is no error.
 Result<void> Sticks::SetWritable(bool writable) {
   return mount_ ? mount_->SetWritable(writable) : Result<void>{};
 }
@@ -35,6 +38,7 @@ void Sticks::Leave() {
   holds_something_ = false;
 }
 
+// A stick with none of these files is still mounted, but another one that has some takes its place.
 bool Sticks::HoldsSomething() const {
   const auto holds = [](const Result<std::vector<Offer>>& listed) { return listed && !listed->empty(); };
   return holds(ListShows(at_)) || holds(ListKeys(at_)) || holds(ListUpdates(at_)) ||

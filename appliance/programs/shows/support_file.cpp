@@ -23,6 +23,7 @@ Result<void> WriteOnce(const std::string& file, const std::string& text) {
   return {};
 }
 
+// A stick that reports success and keeps nothing is found so. Errors: bad_message.
 Result<void> ReadBack(const std::string& file, const std::string& text) {
   const auto read = ReadFile(file);
   if (!read) return tl::unexpected(read.error());
@@ -32,6 +33,7 @@ Result<void> ReadBack(const std::string& file, const std::string& text) {
 
 }  // namespace
 
+// The time is the box's local one, and is written without colons, which FAT has in no name.
 std::string SupportFileName(const std::string& box, std::time_t wall) {
   std::tm local{};
   ::localtime_r(&wall, &local);

@@ -23,12 +23,14 @@ constexpr std::string_view kHelp = R"(kaori-gadget: simulated devices at this ma
 // Reports are due once a millisecond at most, as a full-speed device is polled (USB 2.0 5.7.4).
 constexpr kaori::Duration kStep = std::chrono::milliseconds(1);
 
+// The values of the options; `put` and `play` are parsed when the devices are made.
 struct Settings {
   std::string put, play;
   bool loop = false;
 };
 
 // "dial-box=dummy_udc.0,keyboard=dummy_udc.1"
+// Devices that were put before a fault go with the rig. Errors: invalid_argument; those of Put.
 kaori::Result<void> PutAll(const std::string& text, kaori::sim::GadgetRig& rig) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
