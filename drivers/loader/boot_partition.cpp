@@ -123,7 +123,7 @@ class Volume {
 
 // By a volume that was opened already: three files are looked for in one table.
 Result<Extent> KernelOf(Volume& volume, ports::Slot slot) {
-  const auto kernel =
+  auto kernel =
       volume.Find({"EFI        ", "LINUX      ", slot == ports::Slot::kA ? "KAORI-A EFI" : "KAORI-B EFI"});
   if (!kernel) return kernel;
   if (kernel->bytes != kKernel_bytes || kernel->at_bytes % kMiB != 0)
@@ -147,9 +147,10 @@ bool Overlap(const Extent& a, const Extent& b) {
 Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot) {
   auto volume = Volume::Open(partition);
   if (!volume) return tl::unexpected(volume.error());
-  const auto kernel = KernelOf(*volume, slot), other = KernelOf(*volume, ports::Other(slot)),
-             settings = SettingsOf(*volume);
-  for (const auto* each : {&kernel, &other, &settings})
+  auto kernel = KernelOf(*volume, slot);
+  const auto other = KernelOf(*volume, ports::Other(slot)), settings = SettingsOf(*volume);
+  if (!kernel) return kernel;
+  for (const auto* each : {&other, &settings})
     if (!*each) return *each;
   if (Overlap(*kernel, *other) || Overlap(*kernel, *settings)) return Wrong("two files lie in one place");
   return kernel;
@@ -158,7 +159,7 @@ Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot) {
 Result<Extent> FindSettings(ports::BlockDevice& partition) {
   auto volume = Volume::Open(partition);
   if (!volume) return tl::unexpected(volume.error());
-  const auto settings = SettingsOf(*volume);
+  auto settings = SettingsOf(*volume);
   if (settings && settings->bytes != kSettings_bytes) return Wrong("loader.conf does not fill one sector");
   return settings;
 }

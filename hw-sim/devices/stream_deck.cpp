@@ -146,7 +146,7 @@ void StreamDeck::TurnDial(int dial, int clicks) {
   turn[1] = kDialsCommand;
   wire::PutU16(turn, 2, 1 + kDials);
   turn[4] = kTurnEvent;
-  turn[static_cast<std::size_t>(5 + dial)] = static_cast<std::uint8_t>(clicks);
+  turn[5 + static_cast<std::size_t>(dial)] = static_cast<std::uint8_t>(clicks);
   Say(std::move(turn));
 }
 

@@ -137,7 +137,7 @@ Result<void> PlaySerialBox(Scene& scene, Kind kind, const char* name, int baud) 
   const auto line = SerialLine(scene);
   if (!line) return tl::unexpected(line.error());
   StartedInput input(scene, fmt::format("--serial {}={}", *line, name));
-  const auto played = [&]() -> Result<void> {
+  auto played = [&]() -> Result<void> {
     if (auto ok = WakeDials(scene, box); !ok) return ok;
     if (auto ok = TurnAndPush(scene, box, kind); !ok) return ok;
     return PullAndPlug(scene, adapter);

@@ -1,6 +1,7 @@
 // Surfaces that people own, by their twins: each is plugged in, and what a hand does there is on the board.
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,9 @@ Seen Pushed(std::size_t button) {
   };
 }
 Seen LeftStick(std::function<bool(const StickView&)> stands) {
-  return [=](const BoardView&, const BoardView& now) { return now.left.live && stands(now.left); };
+  return [stands = std::move(stands)](const BoardView&, const BoardView& now) {
+    return now.left.live && stands(now.left);
+  };
 }
 
 // A device that is plugged in, a first movement that is repeated until the box has seen any, and then what is counted.

@@ -4,7 +4,7 @@
 # What looks at devices in the guest; the firmware; what a check runs on this machine.
 readonly MACHINE_PACKAGES=(e2fsprogs dosfstools exfatprogs evtest v4l-utils gpiod alsa-utils usbutils ovmf curl)
 readonly WINDOW_PACKAGES=(xvfb qemu-system-gui)  # What draws for the guest.
-readonly LONG_PACKAGES=(cpio zstd xz-utils dosfstools mtools openssl efitools sbsigntool)  # What the long mode's checks call.
+readonly LONG_PACKAGES=(cpio curl zstd xz-utils dosfstools mtools openssl efitools sbsigntool)  # What the long mode's checks call.
 readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 readonly PLAIN_SHOW=out/plain.kaori
 readonly STICKS=out/sticks

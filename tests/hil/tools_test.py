@@ -25,7 +25,7 @@ TOOLS = {
     "chromium": "chromium", "node": "nodejs", "npm": "npm", "ffmpeg": "ffmpeg", "shellcheck": "shellcheck",
     "mmdebstrap": "mmdebstrap", "mkfs.erofs": "erofs-utils", "mke2fs": "e2fsprogs", "e2fsck": "e2fsprogs",
     "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mkfs.exfat": "exfatprogs", "mcopy": "mtools", "mmd": "mtools",
-    "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
+    "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "curl": "curl", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
     "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
     "openssl": "openssl", "sbsign": "sbsigntool", "cert-to-efi-sig-list": "efitools", "sign-efi-sig-list": "efitools",
     "qemu-system-x86_64": "qemu-system-x86", "Xvfb": "xvfb",

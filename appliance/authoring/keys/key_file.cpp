@@ -1,6 +1,7 @@
 #include "appliance/authoring/keys/key_file.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -27,8 +28,8 @@ image::Picture Turned(const image::Picture& picture, Way way) {
       // Rows and columns are counted from the upper left when they change places.
       const int from_x = way == Way::kHalfTurn ? side - 1 - x : side - 1 - y;
       const int from_y = way == Way::kHalfTurn ? side - 1 - y : side - 1 - x;
-      std::copy_n(picture.rgbx.begin() + (from_y * side + from_x) * 4, 4,
-                  turned.rgbx.begin() + (y * side + x) * 4);
+      const std::ptrdiff_t from = std::ptrdiff_t{from_y} * side + from_x, to = std::ptrdiff_t{y} * side + x;
+      std::copy_n(picture.rgbx.begin() + from * 4, 4, turned.rgbx.begin() + to * 4);
     }
   return turned;
 }

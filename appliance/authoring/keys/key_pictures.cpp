@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <span>
 #include <string>
@@ -31,7 +32,8 @@ std::uint8_t* At(image::Picture& picture, int x, int y) {
 
 image::Picture Filled(int side_px) {
   image::Picture picture = image::Picture::Blank(side_px, side_px);
-  for (int n = 0; n < side_px * side_px; ++n) std::ranges::copy(kGround, picture.rgbx.begin() + n * 4);
+  const std::ptrdiff_t pixels = std::ptrdiff_t{side_px} * side_px;
+  for (std::ptrdiff_t n = 0; n < pixels; ++n) std::ranges::copy(kGround, picture.rgbx.begin() + n * 4);
   return picture;
 }
 

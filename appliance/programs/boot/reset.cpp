@@ -39,7 +39,7 @@ Result<void> EmptyPartition(const fs::path& data, const Remove& remove) {
     std::error_code none;
     const bool is_folder = fs::is_directory(fs::symlink_status(entry, none));
     if (is_folder && entry.filename() == kOfFileSystem) continue;
-    const auto ok = is_folder ? EmptyFolder(entry, data / kResetMarker, remove) : remove(entry);
+    auto ok = is_folder ? EmptyFolder(entry, data / kResetMarker, remove) : remove(entry);
     if (!ok) return ok;
   }
   return {};

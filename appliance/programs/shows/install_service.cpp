@@ -26,14 +26,13 @@ std::string KeyName(const show::PublicKey& key) {
 }  // namespace
 
 InstallService::InstallService(ServicePlaces places, Folder& folder, const board::Board& board,
-                               LookForStick look, Trial trial, MakeSupportFile support, OfBox of_box)
+                               LookForStick look, Trial trial, OfBox of_box)
     : places_(std::move(places)),
       folder_(folder),
       board_(board),
       look_(std::move(look)),
       trial_(std::move(trial)),
-      support_(std::move(support)),
-      of_box_(of_box) {
+      of_box_(std::move(of_box)) {
   RemoveLeftovers(folder_);
   auto on_board = board.AcquireWriter<board::ShowsMenu>();
   if (on_board)
@@ -150,7 +149,7 @@ void InstallService::OfferAll(const std::filesystem::path& stick, Time now) {
 
 Result<std::size_t> InstallService::List(const std::filesystem::path& stick) {
   std::vector<Choosable> below = WaysBackOnBox(true);
-  if (support_)
+  if (of_box_.support)
     below.push_back({.kind = Choosable::Kind::kSupport,
                      .offer = {.file = {}, .name = "support file for a technician, onto the stick"},
                      .remark = {}});
@@ -188,7 +187,7 @@ void InstallService::Accept(const Choosable& taken) {
 void InstallService::WriteSupport() {
   writes_support_ = false;
   const Result<std::string> name =
-      stick_ ? support_(*stick_) : Fail(std::errc::no_such_device, "write the support file");
+      stick_ ? of_box_.support(*stick_) : Fail(std::errc::no_such_device, "write the support file");
   if (name)
     Tell(Message::kWritten, *name);
   else

@@ -48,6 +48,7 @@ using MakeSupportFile = std::function<Result<std::string>(const std::filesystem:
 // What of the box itself can be taken to a stick and brought from one; where one is null it is not offered. They outlive the
 // service.
 struct OfBox {
+  MakeSupportFile support{};
   BoxCopies* copies = nullptr;
   BoxSettings* settings = nullptr;
 };
@@ -58,7 +59,7 @@ class InstallService {
  public:
   // Without `support` no such file is offered.
   InstallService(ServicePlaces places, Folder& folder, const board::Board& board, LookForStick look,
-                 Trial trial, MakeSupportFile support = {}, OfBox of_box = {});
+                 Trial trial, OfBox of_box = {});
   ~InstallService();
   InstallService(const InstallService&) = delete;
   InstallService& operator=(const InstallService&) = delete;
@@ -136,7 +137,6 @@ class InstallService {
   const board::Board& board_;
   LookForStick look_;
   Trial trial_;
-  MakeSupportFile support_;
   OfBox of_box_;
   std::optional<std::filesystem::path> stick_;
   Time look_next_{};

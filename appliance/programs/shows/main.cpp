@@ -225,7 +225,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
                                           .screens = fs::path(settings.board).parent_path() / "screens"});
   kaori::shows::InstallService service(
       {settings.root_keys, settings.keys, settings.report, plays, settings.update}, *folder, *board, look,
-      trial, support, {&copies, &box_settings});
+      trial, {support, &copies, &box_settings});
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();

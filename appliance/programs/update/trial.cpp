@@ -45,7 +45,7 @@ Outcome TryOther(ports::BootChoice& choice, Notes& notes) {
   if (!pending)
     if (auto ok = notes.KeepPending({0, ports::Other(choice.running()), 0}); !ok)
       return {Message::kDiskFault, 0, ok.error().message()};
-  const Outcome begun = BeginTry(choice, notes);
+  Outcome begun = BeginTry(choice, notes);
   if (!pending && begun.message != Message::kRestarts) static_cast<void>(notes.ForgetPending());
   return begun;
 }

@@ -18,7 +18,7 @@ using ::testing::IsEmpty;
 
 std::string FaultOf(const std::string& value) {
   std::optional<NetworkAddress> address;
-  const std::string fault = ParseNetwork("address", value, address);
+  std::string fault = ParseNetwork("address", value, address);
   EXPECT_EQ(address.has_value(), fault.empty()) << value;
   return fault;
 }

@@ -58,7 +58,7 @@ class ServiceTest : public tests::PackTest {
   std::string Text(const std::string& file) const { return ReadFile(folder_ / file).value_or("nothing"); }
   // Chooses the line of the list with these words, by its number, and gives what is said then.
   std::string Choose(const std::string& words) {
-    const std::string said = Play(std::chrono::seconds(1));
+    std::string said = Play(std::chrono::seconds(1));
     const auto at = said.find(words);
     EXPECT_NE(at, std::string::npos) << "no \"" << words << "\" in " << said;
     if (at == std::string::npos) return said;
@@ -101,8 +101,8 @@ class ServiceTest : public tests::PackTest {
                             return std::optional(folder_ / "stick");
                           },
                           [this](const std::filesystem::path&) { return trial_; },
-                          [this](const std::filesystem::path&) { return support_; },
-                          {.copies = offers_ == Offers::kCopies ? &copies_ : nullptr,
+                          {.support = [this](const std::filesystem::path&) { return support_; },
+                           .copies = offers_ == Offers::kCopies ? &copies_ : nullptr,
                            .settings = offers_ == Offers::kSettings ? &settings_ : nullptr}};
 };
 

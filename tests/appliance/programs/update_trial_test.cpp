@@ -222,7 +222,7 @@ TEST(UpdateNotes, AreThereAfterAStartAndATextThatIsNoneIsNone) {
 TEST(UpdateRunning, IsReadFromTheRootAndFromTheFirstProgram) {
   const sim::TempFolder folder;
   const auto write = [&](const char* name, const std::string& text) {
-    const std::string file = folder.path() + "/" + name;
+    std::string file = folder.path() + "/" + name;
     EXPECT_TRUE(WriteWholeFile(file, {AsBytes(text)}));
     return file;
   };

@@ -33,7 +33,7 @@ Result<void> Put(const fs::path& file, std::string_view text) {
 }
 
 Result<std::string> Line(const fs::path& file) {
-  return ReadFile(file).map([](std::string text) { return text.substr(0, text.find('\n')); });
+  return ReadFile(file).map([](const std::string& text) { return text.substr(0, text.find('\n')); });
 }
 
 }  // namespace
