@@ -95,7 +95,7 @@ std::vector<Check> AllChecks() {
         SpeedChecks(),    GadgetChecks(),     DialLineChecks(), LoopChecks(),          DamagedDiskChecks(),
         SamplingChecks(), DisplayChecks(),    OutputChecks(),   LastFaceChecks(),      RecoveryChecks(),
         PowerChecks(),    StickChecks(),      BackupChecks(),   DeskChecks(),          DataChecks(),
-        DiskChecks(),     SecureBootChecks(), StartChecks(),    MediumChecks(),        UpdateChecks()})
+        DiskChecks(),     SecureBootChecks(), StartChecks(),    UpdateChecks(),        MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
