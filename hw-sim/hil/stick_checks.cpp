@@ -112,6 +112,9 @@ Result<std::string> BringBoth(Scene& scene) {
   if (ok) ok = WantPlayed(scene, *id);
   if (ok) ok = WantDamagedRefused(scene, *id);
   if (ok) ok = WantSupportFile(scene);
+  // A stick that is seen while the key is on, so that it can be seen to die with it.
+  if (ok) ok = Plug(scene, "damaged.stick");
+  if (ok) ok = WantStickSaid(scene, "> 1  matinee  ", kLongestReading);
   scene.target.rig().gpio().Open(kStickKey);
   if (ok) ok = WantDead(scene);
   if (ok) ok = scene.ShootFace("stick", "A company's own show, which a stick brought");
