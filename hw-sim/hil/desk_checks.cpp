@@ -42,8 +42,12 @@ std::string Hello(Scene& scene) {
 
 // The bench's simulated devices stand still while another program runs, so the socket is awaited first.
 Result<void> WantDesk(Scene& scene) {
-  if (!scene.target.Until([&] { return Listens(scene); }, kLongestDesk))
+  if (!scene.target.Until([&] { return Listens(scene); }, kLongestDesk)) {
+    scene.finding.texts.emplace_back(
+        "what the box logged of the desk",
+        TextInBox(scene, "own /usr/bin/journalctl -b -n 300 --no-pager -o short-monotonic"));
     return FailInput("the service key is on, and no desk listens");
+  }
   if (const std::string said = Hello(scene); said.find("\"paired\"") == std::string::npos)
     return FailInput("the desk answers a visitor with \"" + said + "\"");
   return scene.ShootFace("desk", "The desk's address and its code, while the service key is on");
