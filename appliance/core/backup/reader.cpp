@@ -2,13 +2,13 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "drivers/base/read_full.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori::backup {
@@ -17,17 +17,7 @@ namespace {
 class FileInput final : public Input {
  public:
   FileInput(UniqueFd fd, std::string name) : fd_(std::move(fd)), name_(std::move(name)) {}
-  Result<std::size_t> Read(std::span<std::uint8_t> into) override {
-    std::size_t done = 0;
-    while (done < into.size()) {
-      const ssize_t got = ::read(fd_.get(), into.data() + done, into.size() - done);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return FailErrno("read " + name_);
-      if (got == 0) break;
-      done += static_cast<std::size_t>(got);
-    }
-    return done;
-  }
+  Result<std::size_t> Read(std::span<std::uint8_t> into) override { return ReadFull(fd_.get(), into, name_); }
 
  private:
   UniqueFd fd_;

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "drivers/base/read_full.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
 
@@ -27,17 +27,7 @@ class FileSource final : public Source {
   FileSource(UniqueFd fd, std::uint64_t bytes, std::string name)
       : fd_(std::move(fd)), bytes_(bytes), name_(std::move(name)) {}
   std::uint64_t bytes() const override { return bytes_; }
-  Result<std::size_t> Read(std::span<std::uint8_t> into) override {
-    std::size_t done = 0;
-    while (done < into.size()) {
-      const ssize_t got = ::read(fd_.get(), into.data() + done, into.size() - done);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return FailErrno("read " + name_);
-      if (got == 0) break;
-      done += static_cast<std::size_t>(got);
-    }
-    return done;
-  }
+  Result<std::size_t> Read(std::span<std::uint8_t> into) override { return ReadFull(fd_.get(), into, name_); }
 
  private:
   UniqueFd fd_;
