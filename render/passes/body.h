@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "render/face/cast.h"
@@ -34,6 +35,9 @@ class BodyPass {
 
   // Loads the cast's texture of this index, of levels that were made before.
   void Provide(int texture, const std::vector<gl::MipLevel>& levels);
+
+  // Takes over what another pass of the same cast has loaded, which can draw nothing afterwards.
+  void AdoptSkins(BodyPass& other) { textures_ = std::move(other.textures_); }
 
   // A skin is loaded when it is first drawn, so that the first face need not wait for the others. This loads
   // one that no face has shown yet; false where none is left. Blocks for 10 to 40 ms; between frames.

@@ -110,7 +110,7 @@ Result<void> Painter::Parts::Open(const face::Cast& cast, Quality wanted) {
   return outcome;
 }
 
-// Skins are loaded anew for the other pass, one by one, when they are shown.
+// Skins are the same in both qualities, and stay loaded.
 Result<void> Painter::Parts::SetQuality(Quality wanted) {
   if (body && wanted == quality) return {};
   auto skin = BodyPass::Open(*painted, wanted);
@@ -123,6 +123,7 @@ Result<void> Painter::Parts::SetQuality(Quality wanted) {
     if (!made) return tl::unexpected(made.error());
     map.emplace(std::move(*made));
   }
+  if (body) skin->AdoptSkins(*body);
   body.emplace(std::move(*skin));
   hair.emplace(std::move(*locks));
   depths = std::move(map);
