@@ -67,7 +67,9 @@ void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::strin
   Add(command, {"-device", "virtio-blk-pci,drive=disk"});
 }
 
-// With a newer processor's instructions emulation is many times slower; the guest draws by itself.
+// With a newer processor's instructions emulation is many times slower; the guest draws by itself. RDRAND is the
+// exception: PCs have it since 2012, and a kernel without it gathers randomness for a second first, for which Mesa
+// waits when it reads its settings.
 void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
   if (setup.counts_instructions)
     // With -icount an instruction takes 2^shift ns of the guest's time, and
@@ -76,8 +78,9 @@ void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<s
   else
     Add(command, {"-accel", "tcg,thread=multi"});
   constexpr int kStock_mib = 2048;
-  Add(command, {"-cpu", setup.stock ? "max" : "Nehalem", "-smp", setup.counts_instructions ? "1" : "2", "-m",
-                std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
+  Add(command,
+      {"-cpu", setup.stock ? "max" : "Nehalem,+rdrand", "-smp", setup.counts_instructions ? "1" : "2", "-m",
+       std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
 }
 
 // Two flash chips: the firmware, and what it keeps. Waking up from S3 is a way past it, which is shut.
