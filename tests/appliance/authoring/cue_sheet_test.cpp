@@ -55,7 +55,7 @@ TEST(CueSheetOnPaper, SaysHowATakeIsPlayedAndForWhoseLookACueWaits) {
   show.cue_list.cues[0].wait = {show::CuePerson::kGazeOn, 0.5F, 20, 1};
   const std::string page = CueSheet(show, SheetLanguage::kEnglish);
   EXPECT_THAT(page, HasSubstr("motion greeting, over, 0.8 times as large, from 2.5 s on"));
-  EXPECT_THAT(page, HasSubstr("GO; her look on seat &lt;12&gt; for 0.5 s, or after 20 s"));
+  EXPECT_THAT(page, HasSubstr("GO, then 0.5 s; her look on seat &lt;12&gt; for 0.5 s, or after 20 s"));
   EXPECT_THAT(CueSheet(show, SheetLanguage::kJapanese), HasSubstr("動き greeting、over、0.8 倍、2.5 秒から"));
 }
 

@@ -41,7 +41,8 @@ TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {
   after.cast.faces[3].name = "other";
   after.motions.clear();
   EXPECT_THAT(Differences(before, after),
-              ElementsAre("face \"long\": is gone", "face \"other\": is new", "motion \"nod\": is gone"));
+              ElementsAre("face \"long\": is gone", "face \"other\": is new", "motion \"nod\": is gone",
+                          "cue 1.5: motion nod is now nothing"));
 }
 
 TEST(PackDiff, SaysHowMuchOfATextureChanged) {
