@@ -19,7 +19,7 @@ from pathlib import Path
 
 import layer
 
-PROGRAMS = ("kaori-boot", "kaori-data", "kaori-fdkeeper", "kaori-input", "kaori-lips", "kaori-power", "kaori-shows", "kaori-stage",
+PROGRAMS = ("kaori-boot", "kaori-data", "kaori-fdkeeper", "kaori-input", "kaori-lips", "kaori-power", "kaori-report", "kaori-shows", "kaori-stage",
             "kaori-surface", "kaori-desk", "kaori-status", "kaori-atelier", "kaori-sim", "kaori-rehearsal", "kaori-bench", "kaori-gadget")
 AARCH64 = 183  # e_machine of an ELF file.
 

@@ -48,6 +48,8 @@ AGAINST = (
     ("appliance/core/board/a.h", '"render/scene/scene.h"', "appliance/core/board/ may include only"),
     ("appliance/core/last_face/a.h", '"appliance/core/board/board.h"', "appliance/core/last_face/ may include only"),
     ("appliance/core/linecheck/a.h", '"appliance/programs/stage/stage.h"', "appliance/core/linecheck/ may include only"),
+    ("appliance/core/report/a.h", '"appliance/authoring/takes/take.h"', "appliance/core/report/ may include only"),
+    ("appliance/programs/report/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/report/ may include only"),
     ("appliance/core/showlog/a.h", '"appliance/programs/stage/stage.h"', "appliance/core/showlog/ may include only"),
     ("appliance/core/store/a.h", '"appliance/core/show/pack.h"', "appliance/core/store/ may include only"),
     ("appliance/core/restore/a.h", '"appliance/core/backup/reader.h"', "appliance/core/restore/ may include only"),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appliance/core/performance/aim.h"
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/cues.h"
@@ -148,6 +149,18 @@ void HangBackdrops(const Mixture& backdrops, const show::Show& show, scene::Scen
   }
 }
 
+// While a cue waits for a look: where it is in this frame is known to the next one.
+void NoteLook(State& state, const show::Show& show, const scene::Scene& scene) {
+  CueRun& run = state.cue_run;
+  run.look_off_rad = kNoLook_rad;
+  if (run.phase != CueRun::Phase::kPerson) return;
+  const show::CueWait& wait = show.cue_list.cues[static_cast<std::size_t>(run.pending)].wait;
+  if (wait.person != show::CuePerson::kGazeOn) return;
+  const HeadPose pose(scene.head, EyesAtRest(state, show), show.cast.neck_pivot);
+  const glm::vec3 at_m = show.gaze_targets[static_cast<std::size_t>(wait.target)].at_m;
+  run.look_off_rad = LooksPast_rad(pose, scene.gaze, at_m);
+}
+
 }  // namespace
 
 // Nothing was before the first scene: mixtures that begin with nothing give the called item all,
@@ -192,6 +205,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   scene.light.exposure = ValueNow(state.exposure) * At(state.shown, Knob::kLight) *
                          ValueNow(state.cue_light) * Unblacked(state) * LightAsleep(state.lobby, show);
   scene.present = ValueNow(state.present);
+  NoteLook(state, show, scene);
   performed.lamps = LitLamps(state, show);
   return performed;
 }

@@ -94,6 +94,7 @@ kaori::shows::SupportPlaces SupportPlacesOf(const Settings& settings) {
   const fs::path board = settings.board;
   return {.settings = fs::path(settings.keys).parent_path() / "box.toml",
           .plays = kaori::store::PlayLogBeside(board),
+          .reports = fs::path(settings.shows).parent_path() / "own/log",
           .status = {.screens = board.parent_path() / "screens"}};
 }
 

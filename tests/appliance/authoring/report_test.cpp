@@ -1,6 +1,6 @@
 // The show report: what an evening's log tells people.
-#include "appliance/authoring/report/report.h"
-#include "appliance/authoring/report/take.h"
+#include "appliance/core/report/report.h"
+#include "appliance/authoring/record/take.h"
 #include "appliance/authoring/takes/played.h"
 
 #include <gmock/gmock.h>
@@ -13,6 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using namespace report;  // NOLINT: of evenings and their reports.
 
 class ReportTest : public showlog::ShowLogTest {
  protected:

@@ -249,6 +249,20 @@ test('a slider stays where it is put', async () => {
   await until('half way', () => harness.heard('stick-left')?.[3] === 0.5);
 });
 
+test('a button of a stick is down for as long as it is held', async () => {
+  const button = page.getByRole('button', {name: 'Head, button 3', exact: true});
+  const {x, y, width, height} = await button.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await until('button 3 down', async () => (await harness.state()).sticks[0].buttons === 1 << 2);
+  await until('a button that is seen to be down', async () => await button.getAttribute('aria-pressed') === 'true');
+  await page.mouse.up();
+  await until('button 3 up', async () => (await harness.state()).sticks[0].buttons === 0);
+  await page.getByRole('button', {name: 'Gaze and brows, button 12: Laugh'}).focus();
+  await page.keyboard.press('Enter');
+  await until('button 12 up again', async () => (await harness.state()).sticks[1].buttons === 0);
+});
+
 const needles = () => page.getByRole('button', {name: 'Needles', exact: true});
 
 async function openNeedles() {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "appliance/authoring/report/evening.h"
+#include "appliance/core/report/evening.h"
 
-namespace kaori::authoring {
+namespace kaori::report {
 
 // A table of the report: rows of as many texts as there are columns.
 struct ReportTable {
@@ -32,4 +32,4 @@ std::string TextOfReport(const Report& report);
 // One HTML file that needs nothing beside it; texts are escaped.
 std::string PageOfReport(const Report& report);
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

@@ -1,4 +1,4 @@
-#include "appliance/authoring/report/evening.h"
+#include "appliance/core/report/evening.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "appliance/core/showlog/replay.h"
 
-namespace kaori::authoring {
+namespace kaori::report {
 namespace {
 
 using std::chrono::milliseconds;
@@ -233,6 +233,17 @@ Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::S
   return evening;
 }
 
+std::vector<Evening> ReadEvenings(std::span<const showlog::LogFile> logs, const show::Show& show) {
+  std::vector<Evening> evenings;
+  for (std::size_t i = 0; i < logs.size();) {
+    std::vector<const showlog::LogFile*> one;
+    const showlog::LogHead& first = logs[i].head();
+    for (; i < logs.size() && showlog::IsSameEvening(logs[i].head(), first); ++i) one.push_back(&logs[i]);
+    evenings.push_back(ReadEvening(one, show));
+  }
+  return evenings;
+}
+
 // Of a cue that was played twice the first time counts, and so does the first beginning of its act.
 std::map<std::size_t, Duration> TimesInActs(const Evening& evening, const show::Show& show) {
   std::map<std::size_t, Duration> times;
@@ -254,4 +265,4 @@ std::map<std::size_t, Duration> UsualTimes(std::span<const Evening> evenings, co
   return usual;
 }
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

@@ -1,10 +1,10 @@
-#include "appliance/authoring/report/report.h"
+#include "appliance/core/report/report.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace kaori::authoring {
+namespace kaori::report {
 namespace {
 
 // Minutes and seconds: "12:07"; hours come before them where there are any.
@@ -106,4 +106,4 @@ Report ReportOf(const Evening& evening, std::span<const Evening> earlier, const 
   return report;
 }
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "appliance/authoring/report/report.h"
+#include "appliance/core/report/report.h"
 #include "drivers/base/markup.h"
 
-namespace kaori::authoring {
+namespace kaori::report {
 namespace {
 
 // For A4 and for a browser alike: no row is torn between pages, and no heading ends one. Fonts are
@@ -90,4 +90,4 @@ std::string PageOfReport(const Report& report) {
   return page + "</body></html>\n";
 }
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report
