@@ -143,9 +143,9 @@ struct HttpServer::Callbacks {
     return MHD_YES;
   }
 
-  static void Append(Exchange& exchange, std::string_view part) {
+  static void Append(const HttpServer& server, Exchange& exchange, std::string_view part) {
     // The rest of a body that is too long is read and dropped, so that the reply reaches the client.
-    exchange.too_long |= exchange.request.body.size() + part.size() > kMostBodyBytes;
+    exchange.too_long |= exchange.request.body.size() + part.size() > server.options_.most_body_bytes;
     if (!exchange.too_long) exchange.request.body += part;
   }
 
@@ -157,12 +157,14 @@ struct HttpServer::Callbacks {
     if (*slot == nullptr) return Begin(server, connection, path, method, slot);
     auto& exchange = *static_cast<Exchange*>(*slot);
     if (*part_bytes > 0) {
-      Append(exchange, {part, *part_bytes});
+      Append(server, exchange, {part, *part_bytes});
       *part_bytes = 0;
       return MHD_YES;
     }
     BeginReply(server, connection);
-    if (exchange.too_long) return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE, "4096 bytes at most");
+    if (exchange.too_long)
+      return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE,
+                      fmt::format("{} bytes at most", server.options_.most_body_bytes));
     unsigned status = MHD_HTTP_OK;
     MHD_Response* response = server.Respond(exchange.request, connection, &status);
     return Send(connection, status, response);

@@ -40,7 +40,7 @@ struct Request {
   // "GET", "POST" ...
   std::string method;
   std::string path;  // Without the query.
-  std::string body;  // kMostBodyBytes at most; longer ones are refused unread.
+  std::string body;  // ServerOptions::most_body_bytes at most; longer ones are refused unread.
   // As the client sent it, unparsed.
   std::string cookie{};
   std::string languages{};  // Its Accept-Language.
@@ -56,7 +56,7 @@ struct Reply {
   std::string cookie{};  // A Set-Cookie header; empty: none.
 };
 
-// Far more than any message of our pages. It bounds what a client can make the program keep.
+// Far more than most messages of our pages. It bounds what a client can make the program keep.
 inline constexpr std::size_t kMostBodyBytes = 4096;
 
 // A certificate chain and its private key, both as PEM.
@@ -83,7 +83,8 @@ struct ServerOptions {
   // whole yet is closed, of that address or of all: who says nothing keeps nobody waiting. Where all requests
   // are whole, the newest is.
   unsigned most_connections = 64;
-  unsigned most_of_one_address = 24;  // A browser opens six for each page.
+  unsigned most_of_one_address = 24;             // A browser opens six for each page.
+  std::size_t most_body_bytes = kMostBodyBytes;  // Of a request.
   Guard guard{};  // Called with the headers, before the body is read; null: all are accepted.
 };
 

@@ -7,6 +7,7 @@
 
 #include "appliance/programs/desk/page.h"
 #include "appliance/programs/desk/status_png.h"
+#include "appliance/programs/shows/protocol/protocol.h"
 #include "drivers/base/log.h"
 
 namespace kaori::desk {
@@ -27,6 +28,8 @@ constexpr int kQuality = 80;
 
 constexpr const char* kText = "text/plain; charset=utf-8";
 constexpr const char* kJson = "application/json";
+constexpr const char* kEvents = "text/event-stream";
+constexpr const char* kReconnect = "retry: 500\n\n";
 constexpr std::string_view kCookie = "kaori-desk=";
 constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
                                                                  "/picture/mask"};
@@ -60,7 +63,9 @@ Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::
       clock_(clock),
       pairing_(clock),
       lips_(lips::ServicePath(board.path())),
-      states_("text/event-stream", "retry: 500\n\n") {
+      box_(options_.shows),
+      states_(kEvents, kReconnect),
+      boxes_(kEvents, kReconnect) {
   address_ = options_.reach == web::Reach::kNetwork ? OwnAddress() : 0x7F000001U;
 }
 
@@ -76,6 +81,7 @@ Result<std::unique_ptr<Desk>> Desk::Open(DeskOptions options, const board::Board
       {.port = desk->options_.port,
        .reach = desk->options_.reach,
        .certificate = desk->options_.certificate,
+       .most_body_bytes = shows::kLongestRequest_bytes,
        .guard = [rules =
                      OriginRules{OwnNames(), secure}](const web::Visitor& v) { return Refusal(v, rules); }},
       loop, clock, [self = desk.get()](const Request& request) { return self->Answer(request); });
@@ -95,12 +101,15 @@ std::string Desk::address() const {
 void Desk::Step() {
   const Time now = clock_.now();
   lips_.Step(now);
+  box_.Step(now);
   if (std::exchange(dismiss_, false)) {
     for (auto& feed : pictures_) feed.Dismiss();
     states_.Dismiss();
+    boxes_.Dismiss();
   }
   SendPictures(now);
   SendState(now);
+  SendBox(now);
   PublishCode(now);
   server_->Run();
 }
@@ -128,6 +137,16 @@ void Desk::SendState(Time now) {
   state_ = std::move(state);
   state_at_ = now;
   states_.Publish(fmt::format("data: {}\n\n", state_));
+}
+
+// "null" says that kaori-shows is away.
+void Desk::SendBox(Time now) {
+  if (!boxes_.awaited()) return;
+  const std::string state = box_.state().value_or("null");
+  if (state == box_state_ && now - box_at_ < kKeepAlive) return;
+  box_state_ = state;
+  box_at_ = now;
+  boxes_.Publish(fmt::format("data: {}\n\n", state));
 }
 
 std::string Desk::State() {
@@ -173,10 +192,12 @@ web::HttpServer::Answer Desk::Answer(const Request& request) {
 web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
   if (request.method == "POST") {
     if (request.path == "/do") return ExecuteCommand(request);
+    if (request.path == "/box") return AskBox(request);
     if (request.path == "/leave") return EndSession(request);
     return NotFound(request.path);
   }
   if (request.path == "/state") return Reply{200, kJson, State()};
+  if (request.path == "/box") return Box();
   if (request.path == "/status.png") return Status();
   if (web::Feed* feed = FeedOf(request.path)) return feed;
   return NotFound(request.path);
@@ -192,6 +213,7 @@ Reply Desk::Status() {
 // Null for any other path.
 web::Feed* Desk::FeedOf(const std::string& path) {
   if (path == "/events") return &states_;
+  if (path == "/box/events") return &boxes_;
   const auto* at = std::ranges::find(kPicturePaths, path);
   return at == kPicturePaths.end() ? nullptr
                                    : &pictures_[static_cast<std::size_t>(at - kPicturePaths.begin())];
@@ -236,6 +258,20 @@ Reply Desk::EndSession(const Request& request) {
   pairing_.EndSession(SessionIn(request.cookie));
   dismiss_ = true;
   return {204, kText, {}, CookieOf("", options_.certificate.has_value()) + "; Max-Age=0"};
+}
+
+// As kaori-shows has written it: a program of the box, which is believed.
+Reply Desk::Box() const {
+  if (!box_.state()) return {503, kText, "the program for shows does not answer\n"};
+  return {200, kJson, *box_.state() + "\n"};
+}
+
+// What becomes of it stands in the state.
+Reply Desk::AskBox(const Request& request) {
+  const auto sent = box_.Send(request.body);
+  if (sent) return {204, kText, {}};
+  if (sent.error().kind == ErrorKind::kInput) return {400, kText, sent.error().message() + "\n"};
+  return {503, kText, "the program for shows does not answer\n"};
 }
 
 // The body is a command of the lips' protocol without its number (lips/protocol). Pictures are asked for and

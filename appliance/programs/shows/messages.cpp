@@ -83,8 +83,8 @@ constexpr std::array<Row, kMessageCount> kTable{{
      "箱のものではないファイルがあります。箱で作り直してください"},
     {"something was changed on the box meanwhile; take it again",
      "途中で箱の内容が変わりました。もう一度選んでください"},
-    {"these settings have a mistake; mend it and copy them to the stick again",
-     "設定に間違いがあります。直して、もう一度スティックにコピーしてください"},
+    {"these settings have a mistake; mend it and bring them again",
+     "設定に間違いがあります。直して、もう一度入れてください"},
 }};
 
 }  // namespace
