@@ -48,6 +48,9 @@ export class DeskHarness {
   file(name) {
     return readFileSync(join(this.folder, name), 'utf8');
   }
+  write(name, text) {
+    writeFileSync(join(this.folder, name), text);
+  }
   // As when the service key is turned back.
   async turnKeyBack() {
     rmSync(join(this.folder, 'open'));

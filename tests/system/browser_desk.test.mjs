@@ -1,5 +1,6 @@
 // The desk in a real browser, by HTTPS: a visitor pairs, samples green paint, calibrates, keeps it and goes back, and sets up the box.
 import assert from 'node:assert/strict';
+import {join} from 'node:path';
 import {after, afterEach, before, test} from 'node:test';
 
 import {openBrowser, until} from '../hw-sim/browser/harness.mjs';
@@ -233,6 +234,22 @@ test('a file of the stick is taken from the page, and the settings before it com
   await take('back to the settings before the last change');
   await take('yes, change them');
   await until('those before', () => harness.file('data/settings/box.toml').startsWith('profile = "stage"\n'));
+});
+
+test('a backup is saved from the page, brought back, and restored once the visitor agrees', async () => {
+  await page.getByRole('button', {name: 'Make a backup'}).click();
+  const fetch = page.locator('#machine-fetch');
+  await until('a backup to be saved', () => fetch.isVisible());
+  const [download] = await Promise.all([page.waitForEvent('download'), fetch.click()]);
+  assert.match(download.suggestedFilename(), /\.kaorishow$/);
+  const file = join(harness.folder, download.suggestedFilename());
+  await download.saveAs(file);
+  harness.write('data/settings/box.toml', 'profile = "bench"\n');
+  await page.locator('#machine-file').setInputFiles(file);
+  await until('what differs', async () => (await page.locator('#machine-notes').textContent()).includes('settings/box.toml'));
+  await take('yes, restore this');
+  await said('switch the box off and on');
+  assert.equal(harness.file('data/settings/box.toml'), 'profile = "bench"\n', 'the next start restores it');
 });
 
 test('with the key turned back the list is gone from the page', async () => {

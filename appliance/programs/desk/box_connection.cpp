@@ -1,5 +1,8 @@
 #include "appliance/programs/desk/box_connection.h"
 
+#include <fcntl.h>
+
+#include <utility>
 #include <vector>
 
 #include "appliance/programs/shows/protocol/protocol.h"
@@ -31,10 +34,16 @@ void BoxConnection::Connect(Time now) {
 void BoxConnection::Receive() {
   std::vector<std::uint8_t> bytes(shows::kLongestState_bytes);
   for (int n = 0; n < kStatesAtOnce; ++n) {
-    const auto packet = ReceivePacket(socket_.get(), bytes);
+    auto packet = ReceivePacket(socket_.get(), bytes);
     if (!packet && packet.error().cause == std::errc::resource_unavailable_try_again) return;
     if (!packet) return Disconnect();
-    state_.emplace(reinterpret_cast<const char*>(bytes.data()), packet->bytes);
+    std::string text(reinterpret_cast<const char*>(bytes.data()), packet->bytes);
+    if (packet->descriptor.valid()) {
+      backup_ = std::move(packet->descriptor);
+      backup_name_ = std::move(text);
+    } else {
+      state_ = std::move(text);
+    }
   }
 }
 
@@ -42,12 +51,20 @@ void BoxConnection::Receive() {
 void BoxConnection::Disconnect() {
   socket_.reset();
   state_.reset();
+  backup_.reset();
 }
 
-Result<void> BoxConnection::Send(std::string_view request) {
-  if (!shows::ParseRequest(request)) return FailInput("there is no such request to the box");
+// Its place in the file is read by nobody: each reader says where it reads.
+Result<UniqueFd> BoxConnection::OpenBackup() const {
+  if (!backup_.valid()) return Fail(std::errc::no_such_file_or_directory, "open the backup");
+  UniqueFd copy(::fcntl(backup_.get(), F_DUPFD_CLOEXEC, 0));
+  if (!copy.valid()) return FailErrno("open the backup");
+  return copy;
+}
+
+Result<void> BoxConnection::Send(std::string_view request, int file) {
   if (!socket_.valid()) return Fail(std::errc::no_such_device, "ask kaori-shows");
-  return SendPacket(socket_.get(), AsBytes(request));
+  return SendPacket(socket_.get(), AsBytes(request), file);
 }
 
 }  // namespace kaori::desk

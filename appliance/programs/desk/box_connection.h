@@ -24,11 +24,15 @@ class BoxConnection {
   // The newest state, one line of JSON; nothing while kaori-shows is away.
   const std::optional<std::string>& state() const { return state_; }
 
-  // Hands a request on, as it is. Errors:
-  //   invalid_argument                  it is none of shows/protocol
+  // The newest backup that kaori-shows made for this desk, by its name; a descriptor of its own for whoever fetches it. Errors:
+  // no_such_file_or_directory, there is none.
+  Result<UniqueFd> OpenBackup() const;
+  const std::string& backup_name() const { return backup_name_; }
+
+  // Hands a request of shows/protocol on, with `file` beside it, which is borrowed; -1: none. Errors:
   //   no_such_device                    kaori-shows is away
   //   resource_unavailable_try_again    it reads too slowly; other errors are those of the socket
-  Result<void> Send(std::string_view request);
+  Result<void> Send(std::string_view request, int file = -1);
 
  private:
   // Tries to connect; not again before half a second has passed.
@@ -40,6 +44,8 @@ class BoxConnection {
   std::string path_;
   UniqueFd socket_;
   std::optional<std::string> state_;
+  UniqueFd backup_;
+  std::string backup_name_;
   Time retry_at_{};
 };
 

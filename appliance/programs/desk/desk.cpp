@@ -64,6 +64,7 @@ Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::
       pairing_(clock),
       lips_(lips::ServicePath(board.path())),
       box_(options_.shows),
+      brought_(options_.brought),
       states_(kEvents, kReconnect),
       boxes_(kEvents, kReconnect) {
   address_ = options_.reach == web::Reach::kNetwork ? OwnAddress() : 0x7F000001U;
@@ -139,16 +140,6 @@ void Desk::SendState(Time now) {
   states_.Publish(fmt::format("data: {}\n\n", state_));
 }
 
-// "null" says that kaori-shows is away.
-void Desk::SendBox(Time now) {
-  if (!boxes_.awaited()) return;
-  const std::string state = box_.state().value_or("null");
-  if (state == box_state_ && now - box_at_ < kKeepAlive) return;
-  box_state_ = state;
-  box_at_ = now;
-  boxes_.Publish(fmt::format("data: {}\n\n", state));
-}
-
 std::string Desk::State() {
   return StateJson({.lips = board_.Read<board::Lips>(),
                     .stage = board_.Read<board::StageStatus>(),
@@ -193,11 +184,13 @@ web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
   if (request.method == "POST") {
     if (request.path == "/do") return ExecuteCommand(request);
     if (request.path == "/box") return AskBox(request);
+    if (request.path.starts_with(kBroughtPath)) return AcceptPart(request);
     if (request.path == "/leave") return EndSession(request);
     return NotFound(request.path);
   }
   if (request.path == "/state") return Reply{200, kJson, State()};
   if (request.path == "/box") return Box();
+  if (request.path == "/backup") return Backup();
   if (request.path == "/status.png") return Status();
   if (web::Feed* feed = FeedOf(request.path)) return feed;
   return NotFound(request.path);
@@ -258,20 +251,6 @@ Reply Desk::EndSession(const Request& request) {
   pairing_.EndSession(SessionIn(request.cookie));
   dismiss_ = true;
   return {204, kText, {}, CookieOf("", options_.certificate.has_value()) + "; Max-Age=0"};
-}
-
-// As kaori-shows has written it: a program of the box, which is believed.
-Reply Desk::Box() const {
-  if (!box_.state()) return {503, kText, "the program for shows does not answer\n"};
-  return {200, kJson, *box_.state() + "\n"};
-}
-
-// What becomes of it stands in the state.
-Reply Desk::AskBox(const Request& request) {
-  const auto sent = box_.Send(request.body);
-  if (sent) return {204, kText, {}};
-  if (sent.error().kind == ErrorKind::kInput) return {400, kText, sent.error().message() + "\n"};
-  return {503, kText, "the program for shows does not answer\n"};
 }
 
 // The body is a command of the lips' protocol without its number (lips/protocol). Pictures are asked for and

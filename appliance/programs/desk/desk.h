@@ -7,6 +7,9 @@
 //   POST /do                    body: a command of lips/protocol without its number; {"number": n}
 //   GET  /box, /box/events      the box's list and settings (shows/protocol), once or as an event stream
 //   POST /box                   body: a request of shows/protocol; 204, 400 for none, 503 while kaori-shows is away
+//   GET  /backup                the backup that was made last, as a file
+//   POST /brought/BYTE          body: the part that begins at this byte of a backup that is brought; 204, 409 for another one, 507
+//                               without room; "restore NAME" to /box then hands it on
 //   POST /leave                 ends the session
 //   GET  /state, /events        state_json.h, once or as an event stream
 //   GET  /picture[/both|/mask]  the camera's picture as a stream of JPEG (multipart/x-mixed-replace)
@@ -16,12 +19,14 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "appliance/core/board/board.h"
 #include "appliance/programs/desk/box_connection.h"
+#include "appliance/programs/desk/brought_file.h"
 #include "appliance/programs/desk/lip_connection.h"
 #include "appliance/programs/desk/origin_check.h"
 #include "appliance/programs/desk/pairing.h"
@@ -33,6 +38,9 @@
 
 namespace kaori::desk {
 
+// In front of the byte at which a part begins that a visitor brings.
+inline constexpr std::string_view kBroughtPath = "/brought/";
+
 // Without a certificate the desk serves plain HTTP, which is for tests.
 struct DeskOptions {
   // 0 stands for any free port; Desk::address() then tells it.
@@ -43,6 +51,8 @@ struct DeskOptions {
   std::uint32_t fingerprint = 0;
   // Where kaori-shows listens; empty: the page says that it is away.
   std::string shows{};
+  // Where a backup lies while a visitor brings it; empty: none can be brought.
+  std::filesystem::path brought{};
 };
 
 // Every visitor gets the page; only one who typed the code on the box's screen sees pictures or changes
@@ -84,6 +94,9 @@ class Desk {
   // The state of the box's list and settings, and what a visitor wants of it.
   web::Reply Box() const;
   web::Reply AskBox(const web::Request& request);
+  // A backup that goes out, and the parts of one that comes in.
+  web::Reply Backup() const;
+  web::Reply AcceptPart(const web::Request& request);
   // Says whether the visitor is paired, and shows the code to one who is not.
   web::Reply Hello(bool paired);
   web::Reply Status();
@@ -105,6 +118,7 @@ class Desk {
   Pairing pairing_;
   LipConnection lips_;
   BoxConnection box_;
+  BroughtFile brought_;
   web::JpegEncoder jpeg_;
   // The view that is being encoded; reused from picture to picture.
   std::vector<std::uint8_t> composed_;

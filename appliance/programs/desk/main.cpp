@@ -69,6 +69,7 @@ kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
   if (!port) return kaori::FailInput("--port " + settings.port + ": expected a number from 0 to 65535");
   options.port = *port;
   options.shows = settings.shows;
+  options.brought = FolderOf(settings);
   if (settings.local) options.reach = kaori::web::Reach::kThisMachine;
   if (settings.plain) return options;
   const auto own = kaori::desk::LoadOrMakeCertificate(

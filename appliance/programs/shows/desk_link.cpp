@@ -40,6 +40,7 @@ void DeskLink::Accept() {
 void DeskLink::HangUp() {
   desk_.reset();
   told_.clear();
+  given_.clear();
 }
 
 // A request of any length up to the longest; what is longer is no desk's.
@@ -47,17 +48,26 @@ std::optional<Request> DeskLink::Hear() {
   Accept();
   if (!connected()) return std::nullopt;
   std::vector<std::uint8_t> bytes(kLongestRequest_bytes);
-  const auto packet = ReceivePacket(desk_.get(), bytes);
+  auto packet = ReceivePacket(desk_.get(), bytes);
   if (!packet) {
     if (packet.error().cause != std::errc::resource_unavailable_try_again) HangUp();
     return std::nullopt;
   }
   auto request = ParseRequest({reinterpret_cast<const char*>(bytes.data()), packet->bytes});
-  if (!request) {
+  const bool wants_file = request && request->kind == Request::Kind::kRestore;
+  if (wants_file) request->file = std::move(packet->descriptor);
+  if (!request || (wants_file && !request->file.valid())) {
     LogWarning("the desk asked for something that it cannot ask for, and was hung up on");
     HangUp();
+    return std::nullopt;
   }
   return request;
+}
+
+Result<void> DeskLink::Give(const std::string& name, UniqueFd backup) {
+  auto sent = SendPacket(desk_.get(), AsBytes(name), backup.get());
+  if (sent) given_ = name;
+  return sent;
 }
 
 void DeskLink::Tell(const std::string& state) {

@@ -26,6 +26,10 @@ class DeskLink {
   // Sends the state where it is not the one that the desk has. What it cannot take now is sent by a later call. One that is
   // longer than a packet is not sent.
   void Tell(const std::string& state);
+  // Hands the desk a backup of this name. Errors: those of SendPacket.
+  Result<void> Give(const std::string& name, UniqueFd backup);
+  // The name of the one that the desk of now got last; empty where it has none.
+  const std::string& given() const { return given_; }
 
  private:
   DeskLink(UniqueFd listener, std::uint32_t user) : listener_(std::move(listener)), user_(user) {}
@@ -37,7 +41,7 @@ class DeskLink {
   std::uint32_t user_;
   UniqueFd desk_;
   // What the desk of now has; empty where it has nothing yet.
-  std::string told_;
+  std::string told_, given_;
 };
 
 }  // namespace kaori::shows

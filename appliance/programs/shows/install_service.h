@@ -115,6 +115,7 @@ class InstallService {
   bool IsBusy() const;
   // The desk's part: what a visitor asks for, and the state for its page.
   void HearDesk();
+  void CopyForDesk(Request request);
   void TellDesk(Time now);
   std::string StateForDesk() const;
   // Nobody can answer any more: another stick is in, or none.

@@ -30,6 +30,8 @@ constexpr std::array<Row, kMessageCount> kTable{{
      "バックアップを書いています。スティックを抜かないでください"},
     {"the backup is on the stick; the stick can go",
      "バックアップを書きました。スティックは抜いて構いません"},
+    {"the backup is made; save it from the desk's page",
+     "バックアップができました。デスクのページから保存してください"},
     {"the backup is being read; leave the stick where it is",
      "バックアップを読んでいます。スティックを抜かないでください"},
     {"the lines below would change on the box; nothing has changed yet",

@@ -2,7 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
+#include <fstream>
 
 #include "appliance/programs/shows/protocol/protocol.h"
 #include "drivers/base/packet_socket.h"
@@ -31,8 +35,8 @@ class DeskBox : public DeskVisitors {
     const auto packet = ReceivePacket(shows_.get(), bytes);
     return packet ? std::string(reinterpret_cast<const char*>(bytes.data()), packet->bytes) : std::string();
   }
-  Asked Post(std::string body) {
-    return {.method = "POST", .path = "/box", .body = std::move(body), .cookie = cookie_};
+  Asked Post(std::string body, std::string path = "/box") {
+    return {.method = "POST", .path = std::move(path), .body = std::move(body), .cookie = cookie_};
   }
 
   UniqueFd listener_, shows_;
@@ -88,6 +92,43 @@ TEST_F(DeskBox, PassesRequestsOnAndRefusesAllElse) {
     EXPECT_EQ(Status(Post(body)), 400) << body;
   EXPECT_EQ(Status(Post("settings\n" + std::string(shows::kLongestRequest_bytes, '#'))), 413);
   EXPECT_EQ(Heard(), "");
+}
+
+TEST_F(DeskBox, GivesTheNewestBackupToWhoeverFetchesIt) {
+  Listen("{\"list\":1}");
+  EXPECT_EQ(Status({.path = "/backup", .cookie = cookie_}), 404);
+  const std::string bytes(300'000, 'b');
+  std::ofstream(fixture_.folder() / "backup") << bytes;
+  const UniqueFd file(::open((fixture_.folder() / "backup").c_str(), O_RDONLY | O_CLOEXEC));
+  EXPECT_TRUE(SendPacket(shows_.get(), AsBytes(std::string_view("left.kaorishow")), file.get()));
+  fixture_.Play(50ms);
+  EXPECT_EQ(Status({.path = "/backup"}), 401);
+  for (int time = 0; time < 2; ++time) {
+    const std::string reply = Ask({.path = "/backup", .cookie = cookie_});
+    EXPECT_EQ(StatusOf(reply), 200);
+    EXPECT_THAT(reply, HasSubstr("filename=\"left.kaorishow\""));
+    EXPECT_TRUE(reply.ends_with("\r\n\r\n" + bytes)) << reply.size();
+  }
+  EXPECT_THAT(Ask({.path = "/box", .cookie = cookie_}), HasSubstr("{\"list\":1}")) << "its name is no state";
+}
+
+TEST_F(DeskBox, PassesABackupOnThatCameInParts) {
+  Listen("{\"list\":1}");
+  EXPECT_EQ(Status(Post("restore left.kaorishow")), 409) << "nothing was brought";
+  EXPECT_EQ(Status({.method = "POST", .path = "/brought/0", .body = "x"}), 401);
+  EXPECT_EQ(Status(Post("forgotten", "/brought/0")), 204);
+  EXPECT_EQ(Status(Post("one ", "/brought/0")), 204) << "it begins anew";
+  EXPECT_EQ(Status(Post("three", "/brought/9")), 409) << "a part is missing";
+  EXPECT_EQ(Status(Post("two", "/brought/x")), 400);
+  EXPECT_EQ(Status(Post("two", "/brought/4")), 204);
+  EXPECT_EQ(Status(Post("restore left.kaorishow")), 204);
+  std::array<std::uint8_t, 64> text;
+  const auto packet = ReceivePacket(shows_.get(), text);
+  ASSERT_TRUE(packet && packet->descriptor.valid());
+  std::array<char, 16> brought{};
+  EXPECT_EQ(::pread(packet->descriptor.get(), brought.data(), brought.size(), 0), 7);
+  EXPECT_STREQ(brought.data(), "one two");
+  EXPECT_EQ(Status(Post("restore left.kaorishow")), 409) << "it went with the first";
 }
 
 }  // namespace

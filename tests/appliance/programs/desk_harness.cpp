@@ -101,7 +101,8 @@ class Commands {
 };
 
 Result<desk::DeskOptions> OptionsOf(const std::string& folder, bool plain) {
-  desk::DeskOptions options{.port = 0, .reach = web::Reach::kThisMachine, .shows = folder + "/report/desk"};
+  desk::DeskOptions options{
+      .port = 0, .reach = web::Reach::kThisMachine, .shows = folder + "/report/desk", .brought = folder};
   if (plain) return options;
   const auto own = desk::LoadOrMakeCertificate(folder, {desk::OwnNames(), 0x7F000001U, std::time(nullptr)});
   if (!own) return tl::unexpected(own.error());

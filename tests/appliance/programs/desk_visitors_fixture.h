@@ -19,7 +19,10 @@ class DeskVisitors : public ::testing::Test {
   DeskVisitors() : loop_(EventLoop::Open().value()) {
     fixture_.hand.scene.person.paint = {0.05F, 0.62F, 0.2F};
     fixture_.StartLips();
-    desk_ = desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine, .shows = ShowsSocket()},
+    desk_ = desk::Desk::Open({.port = 0,
+                              .reach = web::Reach::kThisMachine,
+                              .shows = ShowsSocket(),
+                              .brought = fixture_.folder()},
                              fixture_.board, loop_, fixture_.clock)
                 .value();
     fixture_.each_step = [this] { desk_->Step(); };

@@ -1,6 +1,10 @@
 // The desk and kaori-shows: its visitors see the list and the settings, take lines and bring settings; and who is not heard.
+#include <fcntl.h>
+
 #include <array>
 
+#include "appliance/core/restore/apply.h"
+#include "appliance/core/restore/plan.h"
 #include "appliance/programs/shows/settings_check.h"
 #include "drivers/base/packet_socket.h"
 #include "drivers/base/whole_file.h"
@@ -19,7 +23,7 @@ constexpr const char* kOfBox = "# ours\nprofile = \"stage\"\n[lines]\ngo = 0\n";
 
 class ShowsDeskTest : public ServiceTest {
  protected:
-  ShowsDeskTest() : ServiceTest(Offers::kSettings) {
+  explicit ShowsDeskTest(Offers offers = Offers::kSettings) : ServiceTest(offers) {
     fs::create_directories(folder_ / "settings");
     Put(kFileOfBox, kOfBox);
     Connect();
@@ -29,12 +33,17 @@ class ShowsDeskTest : public ServiceTest {
   std::string State() {
     Play(1s);
     std::array<std::uint8_t, kLongestState_bytes> bytes;
-    while (const auto packet = ReceivePacket(page_.get(), bytes))
-      state_ = {reinterpret_cast<const char*>(bytes.data()), packet->bytes};
+    while (auto packet = ReceivePacket(page_.get(), bytes)) {
+      const std::string text(reinterpret_cast<const char*>(bytes.data()), packet->bytes);
+      if (packet->descriptor.valid())
+        backup_ = BackupFile{text, std::move(packet->descriptor)};
+      else
+        state_ = text;
+    }
     return state_;
   }
-  std::string Ask(std::string_view request) {
-    EXPECT_TRUE(SendPacket(page_.get(), AsBytes(request)));
+  std::string Ask(std::string_view request, int file = -1) {
+    EXPECT_TRUE(SendPacket(page_.get(), AsBytes(request), file));
     return State();
   }
   // Takes the line of the newest state with these words.
@@ -60,6 +69,7 @@ class ShowsDeskTest : public ServiceTest {
 
   UniqueFd page_;
   std::string state_;
+  std::optional<BackupFile> backup_;
 };
 
 TEST_F(ShowsDeskTest, SeesTheListAndTheSettingsThoughTheListIsShutAtTheBox) {
@@ -148,6 +158,46 @@ TEST_F(ShowsDeskTest, SeesTheListWhereTheSettingsCannotBeShown) {
   EXPECT_THAT(state_, HasSubstr(R"("settings":null)"));
 }
 
+class ShowsDeskCopiesTest : public ShowsDeskTest {
+ protected:
+  ShowsDeskCopiesTest() : ShowsDeskTest(Offers::kCopies) {
+    fs::create_directories(folder_ / "own");
+    Put("own/01-smile.toml", "smile");
+  }
+};
+
+TEST_F(ShowsDeskCopiesTest, GetsABackupWithoutAStickAndTheDiskKeepsNothingOfIt) {
+  const std::string said = Ask("backup");
+  ASSERT_TRUE(backup_) << said;
+  EXPECT_EQ(backup_->name, "left-1a2b3c4d-20261119-070640.kaorishow");
+  EXPECT_THAT(State(), HasSubstr(Words(Message::kBackupForDesk, Language::kJapanese)));
+  EXPECT_THAT(state_, HasSubstr(R"("backup":"left-1a2b3c4d-20261119-070640.kaorishow")"));
+  EXPECT_EQ(opened_, 0) << "no stick was made one that can be written";
+  EXPECT_FALSE(fs::exists(folder_ / "restore/for-desk"));
+  EXPECT_TRUE(backup::Reader::Begin(backup::InputOf(std::move(backup_->file), "backup").value()));
+}
+
+TEST_F(ShowsDeskCopiesTest, RestoresABackupThatAVisitorBringsOnceItSaidWhatDiffers) {
+  Ask("backup");
+  ASSERT_TRUE(backup_);
+  Put("own/01-smile.toml", "grin");
+  EXPECT_THAT(Ask("restore left.kaorishow", backup_->file.get()),
+              HasSubstr("left.kaorishow: the lines below"));
+  EXPECT_THAT(state_, HasSubstr("changed own/01-smile.toml"));
+  EXPECT_FALSE(fs::exists(folder_ / restore::kNext));
+  EXPECT_THAT(ChooseAtDesk("yes, restore this"), HasSubstr("switch the box off and on"));
+  ASSERT_TRUE(restore::FinishRestore(folder_).value());
+  EXPECT_EQ(Text("own/01-smile.toml"), "smile");
+}
+
+TEST_F(ShowsDeskCopiesTest, IsToldThatWhatItBringsIsNoBackupAndIsHungUpOnWithoutAFile) {
+  Put("holiday.jpg", "a picture");
+  const UniqueFd picture(::open((folder_ / "holiday.jpg").c_str(), O_RDONLY | O_CLOEXEC));
+  EXPECT_THAT(Ask("restore holiday.jpg", picture.get()), HasSubstr(R"("refused":true)"));
+  Ask("restore nothing");
+  EXPECT_TRUE(IsHungUpOn());
+}
+
 TEST(DeskLinkTest, HearsNoProgramOfAnotherUser) {
   const board::BoardFile folder;
   const std::string path = (folder.folder() / "desk").string();
@@ -166,8 +216,11 @@ TEST(DeskRequestTest, HasOneFormOnly) {
   EXPECT_EQ(take->line, 3U);
   EXPECT_EQ(take->list, 17U);
   EXPECT_EQ(ParseRequest("settings\na = 1\n")->text, "a = 1\n");
-  for (const char* text : {"", "take", "take ", "take 1", "take 1 2 3", "take -1 2", "take 1 x", " take 1 2",
-                           "take 99999999999 1", "settings", "settings a", "reset"})
+  EXPECT_EQ(ParseRequest("restore left lobby.kaorishow")->text, "left lobby.kaorishow");
+  EXPECT_TRUE(ParseRequest("backup"));
+  for (const char* text :
+       {"", "take", "take ", "take 1", "take 1 2 3", "take -1 2", "take 1 x", " take 1 2",
+        "take 99999999999 1", "settings", "settings a", "reset", "backup ", "restore", "restore "})
     EXPECT_FALSE(ParseRequest(text)) << text;
   EXPECT_FALSE(ParseRequest("settings\n" + std::string(kLongestRequest_bytes, '#')));
 }

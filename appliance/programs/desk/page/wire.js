@@ -3,6 +3,7 @@ import {complaint, text} from './texts.js';
 
 const kRetry_ms = 1000;
 const kAnswerTimeout_ms = 4000;
+const kPart_bytes = 65536;  // The desk takes no longer requests.
 
 const listeners = [];
 const boxListeners = [];
@@ -83,6 +84,20 @@ export async function ask(command, done) {
     showFault(error);
     return false;
   }
+}
+
+// Brings a backup in parts, and has the box look at it. `tell` hears how much of it is there. Returns whether it was taken.
+export async function bring(file, tell) {
+  try {
+    for (let at = 0; at < file.size; at += kPart_bytes) {
+      await post(`/brought/${at}`, file.slice(at, at + kPart_bytes), 'machineGone');
+      tell(Math.min(1, (at + kPart_bytes) / file.size));
+    }
+  } catch (error) {
+    showFault(error);
+    return false;
+  }
+  return askBox(`restore ${file.name}`);
 }
 
 // Sends a value that a slider sets: only the newest value counts, and all values of one gesture are one change.

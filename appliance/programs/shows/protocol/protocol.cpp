@@ -5,7 +5,8 @@
 namespace kaori::shows {
 namespace {
 
-constexpr std::string_view kTake = "take ", kSettings = "settings\n";
+constexpr std::string_view kTake = "take ", kBackup = "backup", kRestore = "restore ",
+                           kSettings = "settings\n";
 
 }  // namespace
 
@@ -14,6 +15,9 @@ std::optional<Request> ParseRequest(std::string_view packet) {
   if (packet.size() > kLongestRequest_bytes) return std::nullopt;
   if (packet.starts_with(kSettings))
     return Request{.kind = Request::Kind::kSettings, .text = std::string(packet.substr(kSettings.size()))};
+  if (packet == kBackup) return Request{.kind = Request::Kind::kBackup};
+  if (packet.starts_with(kRestore) && packet.size() > kRestore.size())
+    return Request{.kind = Request::Kind::kRestore, .text = std::string(packet.substr(kRestore.size()))};
   if (!packet.starts_with(kTake)) return std::nullopt;
   packet.remove_prefix(kTake.size());
   const std::size_t space = packet.find(' ');
