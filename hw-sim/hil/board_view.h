@@ -90,6 +90,8 @@ struct BoardView {
   int cue_pending = -1;
   // What GO plays next.
   int cue_standby = 0;
+  // By which a visitor of the desk pairs, as the screen shows it; -1: it shows none.
+  int desk_code = -1;
 
   // `usage` is of HID page 7.
   bool key_down(std::uint8_t usage) const { return (keys_down[usage / 32U] >> (usage % 32U) & 1U) != 0; }

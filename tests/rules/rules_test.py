@@ -74,6 +74,7 @@ AGAINST = (
     ("appliance/programs/monitor/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/monitor/ may include only"),
     ("appliance/programs/status/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/status/ may include only"),
     ("appliance/programs/lips/protocol/a.h", '"appliance/programs/lips/lip_reader.h"', "appliance/programs/lips/protocol/ may include only"),
+    ("appliance/programs/shows/protocol/a.h", '"appliance/programs/shows/menu.h"', "appliance/programs/shows/protocol/ may include only"),
     ("appliance/programs/lips/a.h", '"appliance/programs/input/input.h"', "appliance/programs/lips/ may include only"),
     ("appliance/programs/stage/a.cpp", '"appliance/programs/input/input.h"', "appliance/programs/stage/ may include only"),
     ("appliance/programs/stage/a.cpp", '"drivers/scanout/kms.h"', "only a program's main.cpp names a driver"),

@@ -51,6 +51,7 @@ MAY_INCLUDE = (
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
     ("appliance/programs/monitor/", _PROGRAM + ("appliance/programs/status/",)),
+    ("appliance/programs/shows/protocol/", _BASE),
     ("appliance/programs/shows/", _PORTS + ("appliance/core/backup/", "appliance/core/board/", "appliance/core/restore/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
                                             "appliance/core/update/", "appliance/programs/status/",
                                             # A settings file is judged by the programs that will read it.
@@ -61,7 +62,7 @@ MAY_INCLUDE = (
     ("appliance/programs/report/", _PROGRAM + ("appliance/programs/editor/",)),  # Expressions that were made on the box.
     ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/monitor/", "appliance/programs/status/")),
     ("appliance/programs/desk/", _BASE + ("render/image/", "appliance/core/board/", "appliance/programs/lips/protocol/",
-                                          "appliance/programs/status/", "drivers/web/")),
+                                          "appliance/programs/shows/protocol/", "appliance/programs/status/", "drivers/web/")),
     ("appliance/authoring/keys/", _PROGRAM + ("appliance/programs/stage/", "appliance/authoring/script/", "drivers/web/")),  # JPEG for keys with screens.
     ("appliance/authoring/", _PROGRAM + ("appliance/programs/report/", "appliance/programs/stage/")),  # Its contact sheets are drawn by the stage's studio.
     ("hw-sim/rehearsal/", EVERYTHING),

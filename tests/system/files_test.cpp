@@ -226,6 +226,7 @@ const std::map<std::string, std::string>& NotOffered() {
       {"kaori-data --notice", "it is written"},
       {"kaori-data --reset", "it is written"},
       {"kaori-data --settings", "kaori-boot leaves it in memory, and no person does"},
+      {"kaori-desk --box", "a socket, at which it calls; what is none is refused by the kernel"},
       {"kaori-desk --open", "it is only asked whether it is there"},
       {"kaori-input --box", "a faulty one is no error: input_roles_test.cpp"},
       {"kaori-input --key", "it is written"},

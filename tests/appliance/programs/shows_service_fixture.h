@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -90,6 +91,8 @@ class ServiceTest : public tests::PackTest {
                            return writable ? closed_ : Result<void>{};
                          }},
                     [this](const std::filesystem::path&) { return trial_; }};
+  // Where the desk calls, as this test may.
+  DeskLink desk_ = DeskLink::Open((folder_ / "desk").string(), ::geteuid()).value();
   BoxSettings settings_{{.data = folder_, .zones = folder_ / "zones", .screens = folder_ / "screens"}};
   InstallService service_{{folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report",
                            folder_ / "plays", (folder_ / "update").string(), folder_ / "pending"},
@@ -103,7 +106,8 @@ class ServiceTest : public tests::PackTest {
                           [this](const std::filesystem::path&) { return trial_; },
                           {.support = [this](const std::filesystem::path&) { return support_; },
                            .copies = offers_ == Offers::kCopies ? &copies_ : nullptr,
-                           .settings = offers_ == Offers::kSettings ? &settings_ : nullptr}};
+                           .settings = offers_ == Offers::kSettings ? &settings_ : nullptr,
+                           .desk = offers_ == Offers::kShows ? nullptr : &desk_}};
 };
 
 }  // namespace kaori::shows

@@ -77,6 +77,16 @@ const kTexts = {
     savedNow: 'The settings were saved.',
     reverted: 'The change was undone.',
     gone: 'The lip program does not answer.',
+    machine: 'The box',
+    machineGone: 'The program for shows does not answer.',
+    machineMore: 'and N more on the stick; take some off it to see them',
+    machineBackup: 'Make a backup',
+    machineFetch: 'Save NAME',
+    machineBring: 'Restore a backup …',
+    machineSettings: 'All settings (box.toml)',
+    machineText: 'What is written here takes the place of all settings. It is checked and compared first; nothing changes before you say yes above.',
+    machineCompare: 'Check and compare',
+    machineAgain: 'As they are on the box',
   },
   ja: {
     title: 'くちびる',
@@ -154,6 +164,16 @@ const kTexts = {
     savedNow: '保存しました',
     reverted: '戻しました',
     gone: 'くちびるのプログラムがありません',
+    machine: '箱',
+    machineGone: 'ショーのプログラムがありません',
+    machineMore: 'スティックにあと N 個あります。見るには何か消してください',
+    machineBackup: 'バックアップを作る',
+    machineFetch: 'NAME を保存',
+    machineBring: 'バックアップを復元…',
+    machineSettings: 'すべての設定 (box.toml)',
+    machineText: 'ここに書いたものが設定全体になります。まず調べて比べます。上で「はい」と答えるまで何も変わりません。',
+    machineCompare: '調べて比べる',
+    machineAgain: '箱の今の設定に戻す',
   },
 };
 
@@ -173,15 +193,20 @@ const kComplaints = {
 
 const kLanguageKey = 'kaori-desk-language';
 const listeners = [];
-let language = localStorage.getItem(kLanguageKey) ?? document.documentElement.lang;
-if (!(language in kTexts)) language = 'en';
+let chosen = localStorage.getItem(kLanguageKey) ?? document.documentElement.lang;
+if (!(chosen in kTexts)) chosen = 'en';
+
+// 'en' or 'ja'.
+export function language() {
+  return chosen;
+}
 
 export function text(key) {
-  return kTexts[language][key];
+  return kTexts[chosen][key];
 }
 
 export function complaint(message) {
-  if (language === 'ja' && message in kComplaints) return kComplaints[message];
+  if (chosen === 'ja' && message in kComplaints) return kComplaints[message];
   const short = message.replace('sample the paint: ', '');
   return `${short.charAt(0).toUpperCase()}${short.slice(1)}.`;
 }
@@ -193,20 +218,20 @@ export function onLanguage(listener) {
 }
 
 function show() {
-  document.documentElement.lang = language;
+  document.documentElement.lang = chosen;
   for (const element of document.querySelectorAll('[data-text]')) element.textContent = text(element.dataset.text);
   for (const listener of listeners) listener();
 }
 
 export function makeLanguages(button) {
   button.addEventListener('click', () => {
-    language = language === 'en' ? 'ja' : 'en';
-    localStorage.setItem(kLanguageKey, language);
+    chosen = chosen === 'en' ? 'ja' : 'en';
+    localStorage.setItem(kLanguageKey, chosen);
     show();
   });
   onLanguage(() => {
     button.textContent = text('other');
-    button.lang = language === 'en' ? 'ja' : 'en';
+    button.lang = chosen === 'en' ? 'ja' : 'en';
     button.setAttribute('aria-label', text('otherLabel'));
   });
   show();
