@@ -95,7 +95,8 @@ TEST_F(ReportTest, SaysHowLongALipsPictureTakesToTheScreen) {
   }
   const Evening evening = Told();
   EXPECT_NEAR(evening.lips_to_scanout.median_ms, 20, 0.1);
-  EXPECT_NEAR(evening.lips_to_scanout.frames, 59, 1) << "nobody is measured who is not seen";
+  EXPECT_NEAR(static_cast<double>(evening.lips_to_scanout.frames), 59, 1)
+      << "nobody is measured who is not seen";
   EXPECT_THAT(TextOfReport(ReportOf(evening, {}, show_)), HasSubstr("Lips to scan-out: 20.0 ms (median)"));
 }
 
