@@ -51,6 +51,7 @@ struct Evening {
   std::vector<Incident> line_checks;  // Each with what came of it.
   std::vector<Incident> refused, incidents;
   Delays hand_to_scanout;
+  Delays lips_to_scanout;           // Of mouths that a camera saw well.
   std::vector<std::string> faults;  // Of the logs themselves.
 };
 

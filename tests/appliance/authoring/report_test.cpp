@@ -87,6 +87,19 @@ TEST_F(ReportTest, NamesActsCuesRefusedGosAndWhatWasLost) {
   EXPECT_LT(evening.hand_to_scanout.p99_ms, 60);
 }
 
+TEST_F(ReportTest, SaysHowLongALipsPictureTakesToTheScreen) {
+  for (int frame = 0; frame < 120; ++frame) {
+    board_.lips.value.quality = frame < 60 ? 0.9F : 0;  // The second half sees no mouth.
+    board_.lips.at = now_ + performance::kFrame - 20ms;
+    PlayQuietly();
+  }
+  const Evening evening = Told();
+  EXPECT_NEAR(evening.lips_to_scanout.median_ms, 20, 0.1);
+  EXPECT_NEAR(static_cast<double>(evening.lips_to_scanout.frames), 59, 1)
+      << "nobody is measured who is not seen";
+  EXPECT_THAT(TextOfReport(ReportOf(evening, {}, show_)), HasSubstr("Lips to scan-out: 20.0 ms (median)"));
+}
+
 TEST_F(ReportTest, SaysWhatALineCheckFoundAndTakesNoDeviceForLostMeanwhile) {
   EXPECT_THAT(TextOfReport(ReportOf(Evening(), {}, show_)), HasSubstr("No line check was made."));
   Run(1s);

@@ -369,6 +369,8 @@ test('the page fits a phone and a desk without a sideways scroll', async () => {
     await page.setViewportSize({width, height});
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= width, `${wide} px are needed at ${width}x${height}`);
+    const {width: pad} = await page.locator('#left .pad').boundingBox();
+    assert.ok(pad >= 80, `a stick's pad of ${pad} px is for no finger at ${width}x${height}`);
   }
   await page.setViewportSize({width: 1440, height: 900});
 });
