@@ -219,6 +219,8 @@ test('a single setting is chosen from the list, in Japanese too', async () => {
   await take('profile');
   await page.locator('#language').click();
   await said('値を選んでください');
+  assert.equal(await page.locator('#machine-list button').first().textContent(), '設定はそのままにする');
+  await until('the value of now', async () => (await page.locator('#machine-list').textContent()).includes('kiosk  今の値'));
   await page.locator('#language').click();
   await take('stage');
   await take('yes, change them');

@@ -27,6 +27,8 @@ void InstallService::HearDesk() {
   auto request = of_box_.desk->Hear();
   if (!request || IsBusy()) return;
   tell_next_ = {};
+  // Whoever brings something has not agreed to what is asked: a yes would be one to another question.
+  if (request->kind != Request::Kind::kTake) DropQuestion();
   if (request->kind == Request::Kind::kBackup || request->kind == Request::Kind::kRestore) {
     if (of_box_.copies != nullptr) CopyForDesk(std::move(*request));
   } else if (request->kind == Request::Kind::kSettings) {
@@ -39,10 +41,11 @@ void InstallService::HearDesk() {
   }
 }
 
-// What stands in the list stays there until it asks.
+// The list is that of shows until it asks.
 void InstallService::CopyForDesk(Request request) {
   BoxCopies& copies = *of_box_.copies;
   const bool restores = request.kind == Request::Kind::kRestore;
+  ListAnew();
   Log("the desk {}", restores ? "brings a backup" : "wants a backup");
   const Progress progress = restores ? copies.BeginRestore(Printable(request.text, kLongestBrought),
                                                            std::move(request.file), Keys())

@@ -160,7 +160,7 @@ TEST_F(ShowsDeskTest, SeesTheListWhereTheSettingsCannotBeShown) {
 
 class ShowsDeskCopiesTest : public ShowsDeskTest {
  protected:
-  ShowsDeskCopiesTest() : ShowsDeskTest(Offers::kCopies) {
+  ShowsDeskCopiesTest() : ShowsDeskTest(Offers::kAll) {
     fs::create_directories(folder_ / "own");
     Put("own/01-smile.toml", "smile");
   }
@@ -188,6 +188,21 @@ TEST_F(ShowsDeskCopiesTest, RestoresABackupThatAVisitorBringsOnceItSaidWhatDiffe
   EXPECT_THAT(ChooseAtDesk("yes, restore this"), HasSubstr("switch the box off and on"));
   ASSERT_TRUE(restore::FinishRestore(folder_).value());
   EXPECT_EQ(Text("own/01-smile.toml"), "smile");
+}
+
+TEST_F(ShowsDeskCopiesTest, AgreesToNothingButWhatItBroughtLast) {
+  Ask("backup");
+  ASSERT_TRUE(backup_);
+  Put("own/01-smile.toml", "grin");
+  Ask("restore left.kaorishow", backup_->file.get());
+  EXPECT_THAT(Ask("settings\nprofile = \"kiosk\"\n"), HasSubstr("yes, change them"));
+  ChooseAtDesk("yes, change them");
+  EXPECT_EQ(Text(kFileOfBox), "profile = \"kiosk\"\n");
+  EXPECT_FALSE(fs::exists(folder_ / restore::kNext)) << "the restore was dropped";
+  Ask("settings\nprofile = \"bench\"\n");
+  Ask("restore left.kaorishow", backup_->file.get());
+  ChooseAtDesk("yes, restore this");
+  EXPECT_EQ(Text(kFileOfBox), "profile = \"kiosk\"\n") << "the settings were dropped";
 }
 
 TEST_F(ShowsDeskCopiesTest, IsToldThatWhatItBringsIsNoBackupAndIsHungUpOnWithoutAFile) {

@@ -1,5 +1,5 @@
 // The box itself: the list that stands on its screen while the service key is on, and its settings.
-import {language, onLanguage, text} from './texts.js';
+import {language, listLine, onLanguage, text} from './texts.js';
 import {askBox, bring, onBox} from './wire.js';
 
 const $ = (id) => document.getElementById(id);
@@ -12,7 +12,7 @@ let edited = false;   // The visitor has written into the settings: the box's ow
 function makeLine(label, line) {
   const button = document.createElement('button');
   button.type = 'button';
-  button.textContent = label;
+  button.dataset.label = label;
   button.addEventListener('click', () => askBox(`take ${line} ${shown}`));
   return button;
 }
@@ -32,7 +32,10 @@ function showList() {
     shown = last?.list ?? null;
     $('machine-list').replaceChildren(...(last?.choices ?? []).map(makeLine));
   }
-  for (const button of $('machine-list').children) button.disabled = last.busy;
+  for (const button of $('machine-list').children) {
+    button.disabled = last.busy;
+    button.textContent = listLine(button.dataset.label);
+  }
 }
 
 function showSettings() {

@@ -191,6 +191,27 @@ const kComplaints = {
   'mouth.shut is not below mouth.open': 'とじた口があけた口より大きくなっています',
 };
 
+// Lines of the box's list, as kaori-shows words them; names of files and of screens stay as they are.
+const kLines = {
+  'back to the show before': '前のショーに戻す',
+  'back to the box\'s own show': '箱のショーに戻す',
+  'back to what was here before the restore': '復元の前に戻す',
+  'back to the settings before the last change': '変更前の設定に戻す',
+  'backup of this box, onto the stick': 'この箱のバックアップをスティックに書く',
+  'support file for a technician, onto the stick': '技術者のためのサポートファイルをスティックに書く',
+  'settings of this box': 'この箱の設定',
+  'leave the settings as they are': '設定はそのままにする',
+  'leave the box as it is': '箱はそのままにする',
+  'yes, change them': 'はい、変更する',
+  'yes, restore this': 'はい、復元する',
+  'profile': '使い方 (profile)',
+  'screen that shows the status': '状態を表示する画面',
+  'operators\' monitor': '操作者のモニター',
+  'none': 'なし',
+  'as it is': '今の値',
+};
+const kKinds = {'key ': '鍵 ', 'update ': '更新 ', 'restore ': '復元 ', 'settings ': '設定 '};
+
 const kLanguageKey = 'kaori-desk-language';
 const listeners = [];
 let chosen = localStorage.getItem(kLanguageKey) ?? document.documentElement.lang;
@@ -209,6 +230,15 @@ export function complaint(message) {
   if (chosen === 'ja' && message in kComplaints) return kComplaints[message];
   const short = message.replace('sample the paint: ', '');
   return `${short.charAt(0).toUpperCase()}${short.slice(1)}.`;
+}
+
+// A line of the list: what it is, and two spaces before what is said of it.
+export function listLine(label) {
+  if (chosen === 'en') return label;
+  const parts = label.split('  ').map((part) => kLines[part] ?? part);
+  const kind = Object.keys(kKinds).find((beginning) => parts[0].startsWith(beginning));
+  if (kind) parts[0] = kKinds[kind] + parts[0].slice(kind.length);
+  return parts.join('  ');
 }
 
 // Calls `listener` now, and whenever another language is chosen.
