@@ -30,6 +30,7 @@ bool QuadratureDials::Accept(const DialEdge& edge) {
   return turned;
 }
 
+// An edge that has been waited for lets those behind it go, as far as no number is missing among them.
 bool QuadratureDials::Release() {
   bool turned = false;
   for (auto* next = &early_[next_ % kMostEarly]; *next; next = &early_[next_ % kMostEarly]) {
@@ -39,12 +40,14 @@ bool QuadratureDials::Release() {
   return turned;
 }
 
+// The oldest of those that wait decides: what it waits for would have been in a thread of the kernel for all that time.
 bool QuadratureDials::Expire(Time now) {
   for (const auto& edge : early_)
     if (edge && now - edge->at >= kLongestEarly) return Lose(edge->sequence), true;
   return needs_levels_;
 }
 
+// What waited is in the levels that are read next. The numbers go on behind the highest that was seen.
 void QuadratureDials::Lose(std::uint32_t sequence) {
   ++gaps_;
   needs_levels_ = true;
