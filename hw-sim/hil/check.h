@@ -123,6 +123,8 @@ std::vector<Check> PlayChecks();
 std::vector<Check> InputChecks();
 // Surfaces that people own, by their twins.
 std::vector<Check> SurfaceChecks();
+// The shipped firmware in its emulated chip, as the dial box of the box.
+std::vector<Check> ChipChecks();
 // Serial dial boxes of 1993, and dials on GPIO lines.
 std::vector<Check> SerialBoxChecks();
 std::vector<Check> DialLineChecks();

@@ -39,6 +39,7 @@ constexpr std::string_view kHelp =
   --controls            each check is followed by its negative control
   --usual-image FILE    the program that makes an image which starts in the usual way (tests/hil/usual_image)
   --sticks FOLDER       images of sticks that are plugged in (out/sticks)
+  --chip FOLDER         the dial box's shipped image and the emulator of its chip (tests/firmware/chip.py)
   --size 480x270        of the screen
   --memory 512          of the machine, in MiB
 
@@ -56,7 +57,7 @@ log and its monitor are FOLDER/console.log and FOLDER/qmp
 struct Settings {
   std::string image = "out/image", bench_disk, bench_kernel, report = "out/bench", figures, play, only;
   std::string scenes = "0", replugs = "200", seed = "1", size = "480x270", memory = "512",
-              usual_image = "tests/hil/usual_image", sticks = "out/sticks";
+              usual_image = "tests/hil/usual_image", sticks = "out/sticks", chip;
   std::string shot, command, disk;
   bool chosen = false, list = false, controls = false, boot = false, trace = false;
   bool keep_disk = false;
@@ -119,6 +120,7 @@ kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& f
           .bench_kernel = settings.bench_kernel,
           .usual_image = settings.usual_image,
           .sticks = std::filesystem::absolute(settings.sticks),
+          .chip = settings.chip,
           .folder = folder,
           .width_px = size.width_px,
           .height_px = size.height_px,
@@ -203,7 +205,8 @@ int main(int argc, char** argv) {
   options.Text("--scenes", settings.scenes).Switch("--controls", settings.controls);
   options.Text("--usual-image", settings.usual_image)
       .Text("--memory", settings.memory)
-      .Text("--sticks", settings.sticks);
+      .Text("--sticks", settings.sticks)
+      .Text("--chip", settings.chip);
   options.Switch("--boot", settings.boot).Switch("--trace", settings.trace).Text("--shot", settings.shot);
   options.Text("--command", settings.command).Text("--disk", settings.disk);
   options.Switch("--keep-disk", settings.keep_disk);

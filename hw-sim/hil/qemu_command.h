@@ -22,6 +22,8 @@ struct QemuOptions {
   std::string usual_image{};
   // With images of sticks: make_sticks of tests/hil/bench.sh.
   std::string sticks{};
+  // With the dial box's shipped image and the chip's emulator: tests/firmware/chip.py. Empty: there is none.
+  std::string chip{};
   // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
   std::string folder;
   // Of the screen, where the setup does not say otherwise.

@@ -8,6 +8,7 @@ readonly LONG_PACKAGES=(cpio curl zstd xz-utils dosfstools mtools openssl efitoo
 readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 readonly PLAIN_SHOW=out/plain.kaori
 readonly STICKS=out/sticks
+readonly CHIP=out/chip
 
 # Runs checks of kaori-bench on the image, with simulated devices plugged in: run_checks OPTION...
 run_checks() {
@@ -92,6 +93,14 @@ make_sticks() {
   rm -r "$folder"
 }
 
+# The firmware as it ships, and the emulator of its chip. Without them the check of the chip is skipped, and says so.
+bring_chip() {
+  need "${FIRMWARE_PACKAGES[@]}"
+  need_node
+  say "bringing the chip's emulator, where it is new"
+  python3 -B tests/firmware/chip.py . $CHIP bring >"$LOGS/chip.log" 2>&1 || say "without the chip's emulator; see $LOGS/chip.log"
+}
+
 failed_checks=()
 
 # Runs a command, says whether it passed, and goes on after a failure: run_check SENTENCE COMMAND...
@@ -109,7 +118,7 @@ run_check() {
 # One after the other, since they share the processors. kaori-bench runs its checks with their negative controls; the other
 # one has its control in it.
 run_all_checks() {
-  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --controls
+  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
   run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json
@@ -131,6 +140,7 @@ test_on_the_bench() {
   build_bench_kernel
   pack_plain_show
   make_sticks
+  bring_chip
   run_all_checks
   [ ${#failed_checks[@]} -eq 0 ] || fail "failed: $(printf '%s; ' "${failed_checks[@]}")the reasons stand above"
 }

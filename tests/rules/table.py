@@ -9,7 +9,7 @@ _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
 _CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog", "report", "backup", "restore", "update"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
-_SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
+_SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/chip/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
 CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "serial", "midi", "gpio", "camera", "audio", "scanout", "loader"))
 
@@ -68,6 +68,7 @@ MAY_INCLUDE = (
     ("hw-sim/rehearsal/", EVERYTHING),
     ("hw-sim/evening/", EVERYTHING),
     ("hw-sim/devices/", _PORTS + ("firmware/surface/",)),
+    ("hw-sim/chip/", _PORTS + ("hw-sim/devices/",)),
     ("hw-sim/links/", _PORTS + ("hw-sim/devices/",)),
     ("hw-sim/scenario/", _PORTS + ("hw-sim/devices/", "hw-sim/links/")),
     ("hw-sim/console/", _PORTS + ("drivers/web/", "hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/")),
@@ -113,7 +114,7 @@ LINES_WANTED = 300
 LONG_FILES = {}
 
 # The test's side of simulated devices, and the wire format, of which the box decodes with its general reader of reports.
-FOR_TESTS_TOO = ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "firmware/wire/")
+FOR_TESTS_TOO = ("hw-sim/devices/", "hw-sim/chip/", "hw-sim/links/", "hw-sim/scenario/", "firmware/wire/")
 
 # Declared in the product's headers and used by no code of the product, each with its reason (tests/rules/unused.py).
 USED_FROM_OUTSIDE = {
