@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # ./box cross and ./box test --arm64: the box for 64-bit ARM, built with Debian's cross compiler. Read by ./box.
 
-readonly CROSS_PACKAGES=(g++-aarch64-linux-gnu mmdebstrap)
+readonly CROSS_PACKAGES=(g++-aarch64-linux-gnu gcc-aarch64-linux-gnu binutils-aarch64-linux-gnu mmdebstrap)
 readonly CROSS_TEST_PACKAGES=(qemu-user-static kas python3)
 readonly LAYER_MODULES=(language-server-bitbake@2.10.0 web-tree-sitter@0.20.8)  # The grammar of recipes.
 readonly SYSROOT=out/cross/arm64/sysroot

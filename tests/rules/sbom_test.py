@@ -95,7 +95,7 @@ class SmallImage(unittest.TestCase):
         self.report.write_text('{"root_hash": "ab12"}')
 
     def run_sbom(self):
-        command = [IMAGE / "sbom.py", *(self.folder / name for name in ("image", "packages", "overlay", "stand_ins.txt", "programs")),
+        command = [IMAGE / "sbom.py", "amd64", *(self.folder / name for name in ("image", "packages", "overlay", "stand_ins.txt", "programs")),
                    self.report]
         return subprocess.run(command, capture_output=True, text=True, check=False,
                               env=dict(os.environ, SOURCE_DATE_EPOCH="1767225600"))
