@@ -96,7 +96,7 @@ build_programs() {
 # shellcheck disable=SC2120  # ./box gives it its words.
 image() {
   local arch=amd64 out='' programs='' disk='' pack='' firmware='' trust='' value stale='' option
-  local medium='' graphics='' gpu_firmware='' secure_boot='' version='' tools=$BIN
+  local medium='' graphics='' gpu_firmware='' secure_boot='' version='' tools=$BIN sysroot=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --stale ]; then stale=yes; shift; continue; fi
     [[ $1 =~ ^--(arch|out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot|version)$ ]] || fail "image knows no $1; see ./box help"
@@ -130,9 +130,9 @@ image() {
   [ -z "$pack" ] || choose_pack "$pack"
   make_update_keys
   # An image for this machine's own processor is made by programs of its own build.
-  [ "$arch" != amd64 ] || tools=${programs:-$BIN}
+  if [ "$arch" = amd64 ]; then tools=${programs:-$BIN}; else sysroot=$SYSROOT; fi
   [ -n "$programs" ] || { [ "$arch" = amd64 ] && programs=$BIN || programs=out/build/$arch/bin; }
-  rootfs/image/build --arch "$arch" --out "$out" --programs "$programs" --tools "$tools" --kept out/image ${disk:+--disk "$disk"} \
+  rootfs/image/build --arch "$arch" --out "$out" --programs "$programs" --tools "$tools" --kept out/image ${sysroot:+--sysroot "$sysroot"} ${disk:+--disk "$disk"} \
     ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ${trust:+--trust "$trust"} ${medium:+--medium "$medium"} \
     --update-key "$UPDATE_KEYS-1.key.pub" --update-key "$UPDATE_KEYS-2.key.pub" ${version:+--version "$version"} \
     ${graphics:+--graphics "$graphics"} ${gpu_firmware:+--gpu-firmware "$gpu_firmware"} ${secure_boot:+--secure-boot "$secure_boot"} ||

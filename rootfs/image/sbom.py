@@ -1,8 +1,9 @@
 #!/usr/bin/env -S python3 -B
 """Writes down what is in an image, in SPDX 2.3 and CycloneDX 1.5, with the texts of its licences.
 
-    sbom.py ARCHITECTURE OUT PACKAGES OVERLAY STAND_INS PROGRAMS REPORT.json
+    sbom.py ARCHITECTURE OUT PACKAGES OVERLAY STAND_INS PROGRAMS REPORT.json [SYSROOT]
 
+SYSROOT is the folder with the packages that were compiled into programs for another processor; without it they are this machine's.
 Every file and link of OUT/root and of OUT/boot, the partition from which a PC starts, belongs to one of: a package of Debian's
 (name, version, source, licence), this project, a stand-in for a library, the show, or what the build made. Where one does not,
 or is not what its package has, it is named, and nothing is written.
@@ -67,6 +68,7 @@ class Places(NamedTuple):
     overlay: Path
     stand_ins: tuple
     programs: Path
+    sysroot: Path | None
 
 
 def digest(path, kind):
@@ -177,11 +179,18 @@ def of_debian(package, text, files, texts):
     return Part(package.name, package.version, what, known.expression, "Organization: Debian", package, files, linked)
 
 
+def compiled_into(places):
+    """Name -> package: of the sysroot, and of this machine what that has not, such as the kernel's source."""
+    names = stale.lines_of(stale.COMPILED_IN)
+    unpacked = debs.unpacked(places.sysroot) if places.sysroot else {}
+    return {**debs.installed(names), **{name: package for name, package in unpacked.items() if name in names}}
+
+
 def parts_of(places, packages, found):
     """(all parts of the image in order, texts of references, {text of a copyright file: whose})."""
     parts, texts, copyrights = list(of_project(places, found)), {}, {}
     shipped = [(packages[name], places.packages, found[name]) for name in sorted(set(found) & set(packages))]
-    compiled_in = debs.installed(stale.lines_of(stale.COMPILED_IN))
+    compiled_in = compiled_into(places)
     linked = [(package, Path("/"), []) for _, package in sorted(compiled_in.items())]
     for package, folder, files in shipped + linked:
         text = copyright_of(folder, package)
@@ -203,8 +212,9 @@ def licence_page(copyrights):
 
 
 def main():
-    out, packages_folder, overlay, stand_ins, programs, report_file = (Path(word) for word in sys.argv[2:])
-    places = Places(architectures.NAMED[sys.argv[1]], out, packages_folder, overlay, tuple(stale.lines_of(stand_ins)), programs)
+    out, packages_folder, overlay, stand_ins, programs, report_file, *sysroot = (Path(word) for word in sys.argv[2:])
+    places = Places(architectures.NAMED[sys.argv[1]], out, packages_folder, overlay, tuple(stale.lines_of(stand_ins)), programs,
+                    sysroot[0] if sysroot else None)
     packages = debs.unpacked(packages_folder)
     found, unmatched = sorted_out(places, packages)
     if unmatched:

@@ -30,7 +30,7 @@ TOOLS = {
     "openssl": "openssl", "sbsign": "sbsigntool", "cert-to-efi-sig-list": "efitools", "sign-efi-sig-list": "efitools",
     **{f"aarch64-linux-gnu-{tool}": "binutils-aarch64-linux-gnu" for tool in ("nm", "objcopy", "objdump", "strip")},
     "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu",
-    "qemu-system-x86_64": "qemu-system-x86", "qemu-system-aarch64": "qemu-system-arm", "Xvfb": "xvfb",
+    "qemu-system-x86_64": "qemu-system-x86", "qemu-system-aarch64": "qemu-system-arm", "qemu-aarch64-static": "qemu-user-static", "Xvfb": "xvfb",
     "evtest": "evtest", "v4l2-ctl": "v4l-utils", "v4l2-compliance": "v4l-utils", "gpiodetect": "gpiod", "gpioinfo": "gpiod",
     "arecord": "alsa-utils", "aplay": "alsa-utils", "amixer": "alsa-utils", "lsusb": "usbutils",
 }
