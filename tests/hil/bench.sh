@@ -125,9 +125,26 @@ run_all_checks() {
   tests/system/company_report.py out
 }
 
+# What an image for another processor is tried by: its start, play, kills, cables and lines, and the same disk by UEFI.
+readonly ARM64_CHECKS=face,stage-killed,play,dials,sticks,keys,camera,camera-pulled,lines,sound,pulled-box,replugs,crossed,input-killed,hung,kernel,uefi
+
+# The image for 64-bit ARM in QEMU's machine virt, with the same simulated devices; figures for out/cross.json.
+test_arm64_on_the_bench() {
+  local bin=out/build/arm64/bin disk=out/bench-arm64.disk
+  need "${MACHINE_PACKAGES[@]}" "${CROSS_TEST_PACKAGES[@]}"
+  image --arch arm64
+  build release kaori-bench
+  build arm64 kaori-hil-agent kaori-lips kaori-camera-libcamera
+  tests/hil/bench_disk $bin/kaori-hil-agent $disk '' "$SYSROOT"
+  say "running checks on the image for arm64 in a virtual machine"
+  $BIN/kaori-bench --arch arm64 --image out/image-arm64 --bench-disk $disk --report out/bench-arm64 --figures out/boot-arm64.json \
+    --play "$PLAY" --only $ARM64_CHECKS --replugs 24 --scenes 2 || fail "the box failed on the bench; the report is out/bench-arm64/report.html"
+}
+
 # --chosen: what runs each time.
 test_on_the_bench() {
-  [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen; see ./box help"
+  if [ "$*" = "--arch arm64" ]; then test_arm64_on_the_bench; return; fi
+  [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen or --arch arm64; see ./box help"
   need "${MACHINE_PACKAGES[@]}"
   [ $# -gt 0 ] || need "${WINDOW_PACKAGES[@]}" "${LONG_PACKAGES[@]}"
   image
