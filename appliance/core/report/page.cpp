@@ -47,7 +47,7 @@ std::string Cells(const std::vector<std::string>& cells, std::string_view tag) {
 
 }  // namespace
 
-// For a terminal: each column as wide as its widest cell.
+// Each column is as wide as its widest cell.
 std::string TextOfReport(const Report& report) {
   std::string text = report.title + "\n\n";
   for (const std::string& line : report.lines) text += line + "\n";
