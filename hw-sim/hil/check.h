@@ -170,6 +170,8 @@ std::vector<Check> StickChecks();
 std::vector<Check> DamagedDiskChecks();
 // A box with an address in a network lets a visitor calibrate its lips, while the service key is on.
 std::vector<Check> DeskChecks();
+// The show report of an evening.
+std::vector<Check> ReportChecks();
 // A box is kept on a stick, and another one becomes it.
 std::vector<Check> BackupChecks();
 // The screens that a box may find, and what is on its screen from power to the face.
