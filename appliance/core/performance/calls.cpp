@@ -44,6 +44,16 @@ void CallMotion(State& state, const show::Show& show, std::int32_t motion) {
     PlayMotion(state, show, motion);
 }
 
+// What people and desks call. No guard is between two cues, but the same one again within the list's guard is one
+// call: desks send twice. The guard is between two calls, as that of GO.
+void CallGoTo(State& state, const show::Show& show, std::int32_t cue, float ago_s) {
+  const bool again = state.jumped_to == cue && state.jump_quiet_s - ago_s < show.cue_list.go_guard_s;
+  if (again) return;
+  state.jumped_to = cue;
+  state.jump_quiet_s = ago_s;
+  GoToCue(state, show, cue);
+}
+
 // The character's eyes, of which the left one lies on the right of the picture.
 void CallBlink(State& state, show::Blink which) {
   if (which != show::Blink::kLeft) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
@@ -87,7 +97,7 @@ void Obey(State& state, const show::Call& call, std::uint16_t control, const sho
       CallBlink(state, static_cast<show::Blink>(call.index));
       break;
     case show::CallKind::kGoTo:
-      GoToCue(state, show, call.index);
+      CallGoTo(state, show, call.index, ago_s);
       break;
   }
 }
@@ -136,7 +146,7 @@ bool HandleCueCall(State& state, const board::Call& call, const show::Show& show
   const std::int32_t cue = CueOf(show, call.subject);
   if (cue < 0) return false;
   if (call.verb == board::CallVerb::kGoTo)
-    GoToCue(state, show, cue);
+    CallGoTo(state, show, cue, ago_s);
   else
     StandByCue(state, show, cue);
   return true;

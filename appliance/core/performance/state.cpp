@@ -123,7 +123,7 @@ bool IsValidClocks(const State& s) {
   return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
          Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s, s.lips_lost_s}, 0, 10) &&
          Within({s.blackout}, 0, 1) && Within({s.since_locked_out_s}, 0, kLongAgo_s) &&
-         Within({s.go_quiet_s}, 0, kLongSinceGo_s) && s.locked <= 1 &&
+         Within({s.go_quiet_s, s.jump_quiet_s}, 0, kLongSinceGo_s) && s.locked <= 1 &&
          s.locked_out_button < show::kAllButtonCount && s.black_wanted <= 1 && s.black_called <= 1 &&
          Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said,
                  s.mouth_voice},

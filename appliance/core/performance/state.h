@@ -135,13 +135,15 @@ struct State {
   float mouth_drive = 0;  // 0: the expression's mouth .. 1: the dial's, the lips' or the voice's.
   float mouth_said = 0;   // The same of its opening, which does not wait.
   float mouth_quiet_s = 10;
-  float mouth_voice = 0;              // 0: the lips have the mouth .. 1: the voice has it.
-  float lips_lost_s = 10;             // Since the lips were seen well.
-  float blackout = 0;                 // 0 lit .. 1 black, on its way.
-  float go_quiet_s = kLongSinceGo_s;  // Since the last GO was called.
-  std::uint16_t black_called = 0;     // 1: black by a call; the switch blacks out besides.
-  std::uint16_t black_wanted = 0;     // 1: the switch is on, or was when it was lost.
-  std::uint16_t black_scene = 0;      // The scene at the last look at that switch.
+  float mouth_voice = 0;                // 0: the lips have the mouth .. 1: the voice has it.
+  float lips_lost_s = 10;               // Since the lips were seen well.
+  float blackout = 0;                   // 0 lit .. 1 black, on its way.
+  float go_quiet_s = kLongSinceGo_s;    // Since the last GO was called.
+  float jump_quiet_s = kLongSinceGo_s;  // Since somebody called a cue by its number,
+  std::int32_t jumped_to = -1;          // and which one; -1: nobody has.
+  std::uint16_t black_called = 0;       // 1: black by a call; the switch blacks out besides.
+  std::uint16_t black_wanted = 0;       // 1: the switch is on, or was when it was lost.
+  std::uint16_t black_scene = 0;        // The scene at the last look at that switch.
   // The scene that was entered last.
   std::uint16_t scene = 0;
   LobbyNow lobby;
