@@ -39,7 +39,7 @@ prove_firmware() {
   mkdir -p $FIRMWARE
   : >"$figures"
   prove_by_tests "$figures" $((10 * $1)) '^surface:'
-  prove_by_tests "$figures" "$1" '^(surface-update|chip):|^decode: (SerialDials|Quadrature)'
+  prove_by_tests "$figures" "$1" '^(surface-update|chip):|^decode: ?(SerialDials|Quadrature)'
   fuzz_firmware "$1"
   tests/hil/firmware_report.py "$figures" $FIRMWARE/sizes.json out/boot.json $LOGS/fuzz-usb_device.log $BIN/test-input out/firmware.json
 }
