@@ -20,8 +20,10 @@ using std::chrono::seconds;
 
 // For machines that have little of a processor: the emulator runs beside the virtual machine.
 constexpr Duration kLongestChip = seconds(180), kLongestEmulatorStart = seconds(120);
+// Run from the repository's root, as everything of the bench.
 constexpr const char* kEmulator = "hw-sim/chip/serve.mjs";
 // Of the default show (appliance/shows/kaori): button 9 calls the dog, and a turn of the eighth dial is all of the light.
+// Numbers from 0, as the board counts them; counts are 256 a turn.
 constexpr int kDogButton = 8, kLightDial = 7, kOneTurn = 256;
 // Linux throws away what a HID device says right after it was opened.
 constexpr Duration kOpened = seconds(1);
