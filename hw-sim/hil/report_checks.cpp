@@ -14,19 +14,31 @@ constexpr const char* kSaidOfReports =
     "own /usr/bin/journalctl -b --no-pager -o cat -n 100 -u kaori-report.service";
 constexpr std::string_view kWritten = "the show report is written: ";
 
-// The file that the box says it has written; empty where it has said so of none.
-std::string WrittenReport(Scene& scene) {
+// What the box says it has written: how often, and the file that it wrote last.
+struct WrittenReports {
+  int times = 0;
+  std::string last{};
+};
+
+WrittenReports ReportsOf(Scene& scene) {
   const std::string said = TextInBox(scene, kSaidOfReports);
-  const auto at = said.find(kWritten);
-  if (at == std::string::npos) return "";
-  const auto from = at + kWritten.size();
-  return said.substr(from, said.find('\n', from) - from);
+  WrittenReports reports;
+  for (auto at = said.find(kWritten); at != std::string::npos; at = said.find(kWritten, at + 1)) {
+    const auto from = at + kWritten.size();
+    reports = {reports.times + 1, said.substr(from, said.find('\n', from) - from)};
+  }
+  return reports;
 }
 
-// Errors: invalid_argument, none is written, or it tells of no evening.
-Result<void> WantReport(Scene& scene) {
+// One is written since: of those before nothing is known but that they were. Errors: invalid_argument, none is written,
+// or it tells of no evening.
+Result<void> WantReport(Scene& scene, int before) {
   std::string file;
-  const auto written = [&] { return !(file = WrittenReport(scene)).empty(); };
+  const auto written = [&] {
+    const WrittenReports reports = ReportsOf(scene);
+    file = reports.last;
+    return reports.times > before;
+  };
   if (!scene.target.Until(written, kLongestReport)) {
     scene.finding.texts.emplace_back("what the box said of reports", TextInBox(scene, kSaidOfReports));
     return FailInput("the service key is on, and no show report is written");
@@ -41,8 +53,9 @@ Result<void> WantReport(Scene& scene) {
 
 // The key is turned back in each case, since the next check finds the bridge as it was left.
 Result<void> ReportByItself(Scene& scene) {
+  const int before = ReportsOf(scene).times;
   scene.target.rig().gpio().Close(kStickKey);
-  auto ok = WantReport(scene);
+  auto ok = WantReport(scene, before);
   scene.target.rig().gpio().Open(kStickKey);
   return ok;
 }
@@ -50,7 +63,12 @@ Result<void> ReportByItself(Scene& scene) {
 }  // namespace
 
 std::vector<Check> ReportChecks() {
-  return {{"show-report", "The box writes the show report of the evening by itself", false, ReportByItself}};
+  return {{"show-report",
+           "The box writes the show report of the evening by itself",
+           false,
+           ReportByItself,
+           {},
+           "kaori-report.service"}};
 }
 
 }  // namespace kaori::hil
