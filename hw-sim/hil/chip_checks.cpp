@@ -78,7 +78,7 @@ Result<void> TurnInTheChip(Scene& scene, sim::ChipUsb& chip, int way) {
     return now.counts[2] - before->counts[2] == 100 && now.counts[5] - before->counts[5] == -300 &&
            now.pushes[31] == before->pushes[31] + 1 && now.buttons >> 31 == 1;
   };
-  const auto seen = WantOfChip(scene, turned, "what was turned and pushed in the chip, to the last count,");
+  auto seen = WantOfChip(scene, turned, "what was turned and pushed in the chip, to the last count,");
   chip.Release(31);
   return seen;
 }
@@ -89,7 +89,7 @@ Result<void> CallInTheChip(Scene& scene, sim::ChipUsb& chip) {
   if (!before) return tl::unexpected(before.error());
   chip.Push(kDogButton);
   const auto called = [&](const BoardView& now) { return now.stage.face != before->stage.face; };
-  const auto seen = WantOfChip(scene, called, "the face that a button of the chip calls");
+  auto seen = WantOfChip(scene, called, "the face that a button of the chip calls");
   chip.Release(kDogButton);
   if (!seen) return seen;
   const auto lit = [&] {
@@ -136,7 +136,7 @@ Result<void> PlayChip(Scene& scene, int way) {
   auto box = EmulatedBox::Start(scene);
   if (!box) return tl::unexpected(box.error());
   sim::ChipUsb& chip = box->chip();
-  const auto played = [&]() -> Result<void> {
+  auto played = [&]() -> Result<void> {
     const HeldDevice held(scene, "dial-box", chip);
     // The kernel listens to the chip, and not to the box that hung there before.
     const auto live = [&](const BoardView& now) {

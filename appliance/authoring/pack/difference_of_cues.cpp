@@ -13,7 +13,7 @@ namespace kaori::authoring {
 namespace {
 
 // What one cue says under each key of cues.toml, in the words of that file.
-using Said = std::vector<std::pair<const char*, std::string>>;
+using CueFacts = std::vector<std::pair<const char*, std::string>>;
 
 // "nothing" for a number that no item has, so that two packs can be compared whatever they hold.
 template <class Items>
@@ -95,7 +95,7 @@ std::string StyleOf(const show::Cue& cue) {
 }
 
 // In the order of the guide's page.
-Said SaidBy(const show::Show& show, const show::Cue& cue) {
+CueFacts SaidBy(const show::Show& show, const show::Cue& cue) {
   const auto index = [](const std::optional<show::CueCall>& call) { return call ? call->index : -1; };
   const std::string gaze = !cue.gaze                      ? ""
                            : *cue.gaze == show::kNoTarget ? "nobody"
@@ -154,7 +154,7 @@ void CompareCues(const show::Show& a, const show::Show& b, Lines& lines) {
       lines.push_back(item + ": is gone");
       continue;
     }
-    const Said before = SaidBy(a, cue), after = SaidBy(b, *now);
+    const CueFacts before = SaidBy(a, cue), after = SaidBy(b, *now);
     for (std::size_t i = 0; i < before.size(); ++i)
       compare(item, before[i].first, before[i].second, after[i].second);
   }

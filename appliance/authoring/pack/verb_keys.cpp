@@ -27,7 +27,7 @@ Result<int> WriteInto(stage::Studio& studio, const std::string& from, const std:
     keys.push_back(std::move(key));
     return {};
   };
-  const auto drawn = DrawKeys(studio, keep, [&](std::string_view what) { progress.Step(what); });
+  auto drawn = DrawKeys(studio, keep, [&](std::string_view what) { progress.Step(what); });
   if (!drawn) return drawn;
   progress.Step("writing " + into);
   auto show = show::LoadPack(from);
