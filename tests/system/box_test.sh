@@ -157,7 +157,7 @@ echo key >"$copy/company.key.pub"
 printf '#!/bin/sh\n' >"$copy/out/build/release/bin/kaori-stage"
 # What is drawn for keys goes into a copy.
 printf '#!/bin/sh\n[ "$1" != keys ] || /bin/cp "$2" "$3"\n' >"$copy/out/build/release/bin/kaori-atelier"
-chmod +x "$copy"/out/build/release/bin/kaori-{atelier,stage}
+chmod +x "$copy"/out/build/release/bin/*
 for spoilt in nothing evening.kaori company.pub; do
   printf '#!/bin/sh\n/bin/cp "$@"\ncase $2 in */stick/%s) echo spoilt >>"$2" ;; esac\n' $spoilt >"$copy/bin/cp"
   chmod +x "$copy/bin/cp"
