@@ -121,8 +121,7 @@ Result<void> IsThereWithTheKey(Scene& scene) {
     ok = FailInput("the service key is off again, and the desk still listens");
   scene.finding.said =
       "a visitor of the box's network gets the desk while the service key is on, and nobody before and "
-      "after; settings that were "
-      "brought there are checked, shown and kept";
+      "after; settings that were brought there are checked, shown and kept";
   return ok;
 }
 

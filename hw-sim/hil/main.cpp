@@ -123,6 +123,7 @@ kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& f
       .bench_kernel = settings.bench_kernel,
       .usual_image = settings.usual_image,
       .sticks = std::filesystem::absolute(settings.sticks),
+      .chip = settings.chip,
       .folder = folder,
       .width_px = size.width_px,
       .height_px = size.height_px,

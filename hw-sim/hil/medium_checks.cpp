@@ -15,7 +15,7 @@ namespace {
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-// The agent lies on the bench's disk, which shares the medium's controller: an emulated stick is slow.
+// An emulated stick is slow.
 constexpr Duration kMediumAnswer = minutes(2), kLongestMediumStart = minutes(6);
 constexpr Duration kLongestPlayOn =
     minutes(2);  // For the frames that must come after something was plugged in.

@@ -106,7 +106,7 @@ Result<Marks> CountStatus(Scene& scene) {
   return Marks{*amber, *green};
 }
 
-// The status is drawn a cell at a time, so that a picture between two of them is not what it will be: it is looked at
+// The status is drawn a part of it in each frame, so that a picture in between is not what it will be: it is looked at
 // again until it is right. Errors: timed_out, with `what` was awaited.
 Result<void> AwaitStatus(Scene& scene, const std::function<bool(const Marks&)>& right, const char* what) {
   const auto seen = [&] {

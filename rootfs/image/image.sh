@@ -79,6 +79,11 @@ bundle() {
     fail "no update was made; the reason stands above"
 }
 
+# Ends where a command is not for this processor: known_arch COMMAND ARCH
+known_arch() {
+  [[ $2 =~ ^(amd64|arm64)$ ]] || fail "$1 --arch takes amd64 or arm64, not $2"
+}
+
 # The folder with the image for a processor, by Debian's name of it.
 image_folder() {
   [ "$1" = amd64 ] && echo out/image || echo "out/image-$1"
@@ -107,7 +112,7 @@ image() {
     local "${option//-/_}=$value"
     shift 2
   done
-  [[ $arch =~ ^(amd64|arm64)$ ]] || fail "image --arch takes amd64 or arm64, not $arch"
+  known_arch image "$arch"
   [ -n "$out" ] || out=$(image_folder "$arch")
   if [ -n "$stale" ]; then
     [ -z "$programs$disk$pack$firmware$trust$medium$graphics$gpu_firmware$secure_boot$version" ] ||
@@ -154,7 +159,7 @@ boot() {
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     shift 2
   done
-  [[ $arch =~ ^(amd64|arm64)$ ]] || fail "boot --arch takes amd64 or arm64, not $arch"
+  known_arch boot "$arch"
   [ -z "$folder" ] || [ -f "$folder/kaori.disk" ] || fail "there is no image in $folder"
   [ -n "$folder" ] || folder=$(image_folder "$arch")
   need "${BUILD_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"

@@ -175,8 +175,8 @@ struct Sound {
   float drift_ppm = 0;          // How much faster the voice is read than it is heard, now.
 };
 
-// The motion whose sound is to be heard: of those that play one at most has one. At the stamp, which is when a frame is presented, it stands
-// at `at_s`.
+// The motion whose sound is to be heard: of those that play one at most has one. At the stamp, which
+// is when a frame is presented, it stands at `at_s`.
 //   writer   kaori-stage at each frame while one plays, and once when it has ended
 //   readers  kaori-lips, which plays its sound; kaori-stage itself when it starts
 // The stage leaves the last value when it ends, so a reader compares stamp and `at_s` with its own clock.

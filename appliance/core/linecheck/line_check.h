@@ -19,7 +19,7 @@ namespace kaori::linecheck {
 // What one look sees.
 struct View {
   const board::Snapshot& board;
-  // Of the loudspeaker: blocks that were played, and underruns, both counted since kaori-lips began.
+  // Of the loudspeaker: how often it ran dry is counted.
   const board::Stamped<board::Sound>& sound;
   std::uint32_t screens = 0;  // Bit n: something is plugged in at screen n.
 };
@@ -58,7 +58,7 @@ class LineCheck {
     std::uint32_t xruns = 0;  // When the check began.
   };
   // Each item is looked at by its kind: StateOf says how it stands, and writes what a person reads of it into the item
-  // (how far it went, what it was last). An item that was seen once stays seen; one that fails later is shown as failed.
+  // (how far it went, what it was last). Worked out anew at each look: a seen item whose device is gone is missing.
   void BeginItem(const board::CheckedItem& item, Memory& memory, const View& view, Time now) const;
   board::CheckedState StateOf(board::CheckedItem& item, Memory& memory, const View& view, Time now) const;
   board::CheckedState StateOfWay(board::CheckedItem& item, Memory& memory, const View& view, Time now) const;

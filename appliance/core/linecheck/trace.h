@@ -44,7 +44,7 @@ class Way {
   static constexpr float kSmall = 0.1F;
   static constexpr std::size_t kTurns = 6;
   static constexpr Duration kJitter = std::chrono::seconds(1);
-  // Where it turned back last, oldest first: six within kJitter are no person's.
+  // Where it turned back last, a ring of them: six within kJitter are no person's.
   struct Turn {
     Time at{};
     float value = 0;

@@ -78,9 +78,9 @@ float StepTo(State& state, Time presented_at) {
   return static_cast<float>(Seconds(presented_at - before));
 }
 
-// The time since the last GO, and since the last jump, is that of people: a stage that was away, or a machine that hung, does not make
-// the guard longer than it is, or a GO that was called meanwhile would be refused as a slip. Gives the time
-// since the frame before.
+// The time since the last GO, and since the last jump, is that of people: a stage that was away, or a machine that
+// hung, does not make the guard longer than it is, or a GO that was called meanwhile would be refused as a slip. Gives
+// the time since the frame before.
 float CountQuiet(State& state, Time presented_at) {
   const auto passed_s = static_cast<float>(std::max(0.0, Seconds(presented_at - state.last)));
   for (float* quiet_s : {&state.cue_run.since_refused_s, &state.since_locked_out_s})

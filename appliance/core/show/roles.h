@@ -77,7 +77,7 @@ struct RoleMap {
 
 struct Role {
   std::string name;
-  // From what it is played when the show begins; learn mode and the box's own file may move it.
+  // From what it is played when the show begins.
   Device device{};
   std::vector<RoleMap> maps;  // Those of one level stand together; they add up.
 };

@@ -1,9 +1,10 @@
 #include "appliance/programs/desk/brought_file.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
 #include <utility>
+
+#include "drivers/base/whole_file.h"
 
 namespace kaori::desk {
 
@@ -16,13 +17,9 @@ Result<void> BroughtFile::Add(std::uint64_t at, std::string_view part) {
   }
   if (!file_.valid() || at != bytes_ || bytes_ + part.size() > kMost_bytes)
     return FailInput("this part was not expected");
-  while (!part.empty()) {
-    const ssize_t put = ::write(file_.get(), part.data(), part.size());
-    if (put < 0) return FailErrno("keep what a visitor brings");
-    part.remove_prefix(static_cast<std::size_t>(put));
-    bytes_ += static_cast<std::uint64_t>(put);
-  }
-  return {};
+  auto written = WriteAll(file_.get(), AsBytes(part), "what a visitor brings");
+  if (written) bytes_ += part.size();
+  return written;
 }
 
 UniqueFd BroughtFile::Release() {

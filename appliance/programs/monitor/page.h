@@ -35,7 +35,6 @@ struct Cell {
 
 // Of one size the cells are always as many, in the same order and at the same places.
 struct Page {
-  // In the order of reading.
   std::vector<Cell> cells;
   // Where the face is shown, as on stage.
   Box programme;

@@ -11,7 +11,7 @@ namespace kaori::monitor {
 // The cue that stands by, with what GO does, and below it the one that is active, with what comes by itself.
 void AddCues(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells);
 
-// The mouth in words, how far it is open, and how loud the voice is, with the threshold above which it moves the mouth.
+// The mouth in words, how far it is open, and how loud the voice is, in another colour while it speaks.
 // Gives where the lip camera's picture lies.
 Box AddLips(const View& view, const Pen& pen, Box box, std::vector<Cell>& cells);
 

@@ -35,7 +35,6 @@ inline show::Show SmallShow() {
   return show;
 }
 
-// A performance whose input a test moves; life is quiet unless asked for.
 // The motion that was called last, of those that play or end; null: none. Borrowed from the state.
 inline const Playing* LastCalled(const State& state) {
   const Playing* last = nullptr;
@@ -44,6 +43,7 @@ inline const Playing* LastCalled(const State& state) {
   return last;
 }
 
+// A performance whose input a test moves; life is quiet unless asked for.
 class PerformanceTest : public ::testing::Test {
  protected:
   PerformanceTest() : state_(Opening(show_, board_, now_)) {
