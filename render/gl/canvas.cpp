@@ -133,7 +133,8 @@ void Canvas::Within(const Box& box) const {
   if (on_picture_) damage_.Add(box);
 }
 
-Damage Canvas::TakeDamage() const {
+// Within counts boxes, not pixels: what is drawn is all of a box, or near it.
+Damage Canvas::AcquireDamage() const {
   return std::exchange(damage_, Damage(options_.width_px, options_.height_px));
 }
 

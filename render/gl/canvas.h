@@ -38,7 +38,7 @@ class Canvas {
   // Limits drawing to `box` by the scissor test. Of the picture, all of `box` counts as drawn on.
   void Within(const Box& box) const;
   // What of the picture was drawn on since this was asked last, or since the canvas was made: then all of it.
-  Damage TakeDamage() const;
+  Damage AcquireDamage() const;
   // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
   // Its depth is given up, so nothing more can be drawn on this layer. Leaves the layer's or the resolved
   // framebuffer bound, and without samples the scissor test off: BeginPicture comes next.

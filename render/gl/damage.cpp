@@ -5,6 +5,7 @@
 
 namespace kaori::gl {
 
+// The box is cut to the picture; a row that it touches by a pixel counts as touched from its lower edge to its upper.
 void Damage::Add(const Box& box) {
   const int from_px = std::max(box.left_px, 0);
   const int to_px = std::min(box.left_px + box.width_px, width_px_);
@@ -17,6 +18,7 @@ void Damage::Add(const Box& box) {
   }
 }
 
+// Pictures of two sizes have no pixel in common.
 void Damage::Add(const Damage& other) {
   if (other.width_px_ != width_px_ || other.height_px_ != height_px_) return AddAll();
   for (const Box& box : other.boxes())

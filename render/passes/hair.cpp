@@ -149,6 +149,7 @@ Result<HairPass> HairPass::Open(Quality quality) {
   return pass;
 }
 
+// Fine hair reads the lamp's depths; its strands end in samples that are left out.
 HairPass::Way HairPass::Seen(const gl::DepthMap* depths, Locks locks) const {
   if (depths == nullptr) return {basic_, gl::Blend::kReplace, locks};
   depths->Bind(kHairDepthsUnit);
@@ -160,6 +161,7 @@ void HairPass::Draw(const Appearance& appearance, const Hairdo& hairdo, const Fr
   DrawBy(Seen(depths, Locks::kBefore), appearance, hairdo, frame);
 }
 
+// Hair that changes was drawn whole by Draw: its variant discards, so that it gains nothing by being hidden.
 void HairPass::DrawBehind(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame,
                           const gl::DepthMap* depths) const {
   DrawBy(Seen(depths, Locks::kBehind), appearance, hairdo, frame);

@@ -98,8 +98,8 @@ class HairPass {
               const FrameBlock& frame) const;
   // One face's hair, and the hard things that are worn with it. `span_px`: where the order of hair begins,
   // and its length.
-  static void DrawWorn(const Variant& variant, Locks locks, const Appearance& appearance, const WornHair& worn,
-                       glm::vec2 span_px);
+  static void DrawWorn(const Variant& variant, Locks locks, const Appearance& appearance,
+                       const WornHair& worn, glm::vec2 span_px);
 
   Pair basic_;
   // Of fine quality.

@@ -108,6 +108,7 @@ std::array<Slice, kPropSlices> SlicesOf(const face::Prop& prop) {
   return slices;
 }
 
+// Glasses and pins are hair by their part, and say by their first vertex that they are not.
 bool IsHard(const face::Prop& prop) {
   return prop.part == face::Part::kHair && !prop.vertices.empty() && prop.vertices[0].across < kHardAcross;
 }

@@ -26,7 +26,7 @@ Result<ScreenPass> ScreenPass::Open() {
 // A buffer that is n pictures old lacks what the last n pictures changed.
 void ScreenPass::Draw(const gl::Canvas& canvas, int pictures_ago) {
   std::shift_right(changes_.begin(), changes_.end(), 1);
-  changes_.front() = canvas.TakeDamage();
+  changes_.front() = canvas.AcquireDamage();
   known_ = std::min(known_ + 1, kMostKnown);
   gl::Damage lacks(canvas.width_px(), canvas.height_px());
   if (pictures_ago < 1 || pictures_ago > known_) lacks.AddAll();

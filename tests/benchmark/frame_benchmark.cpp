@@ -116,7 +116,8 @@ void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<
 }
 
 // The default look as a graphics card draws it; nothing where a processor draws.
-void MeasureFine(const gl::Context& context, passes::Painter& painter, int frames, std::vector<Metric>& metrics) {
+void MeasureFine(const gl::Context& context, passes::Painter& painter, int frames,
+                 std::vector<Metric>& metrics) {
   if (passes::QualityFor(context.renderer()) != passes::Quality::kFine) return;
   if (!Opened(painter.SetQuality(passes::Quality::kFine))) return;
   for (const Size size : kSizes) {
@@ -129,6 +130,7 @@ void MeasureFine(const gl::Context& context, passes::Painter& painter, int frame
   }
 }
 
+// Of the medians: one frame that a neighbour held up does not count.
 double Over(const std::vector<double>& a_ms, const std::vector<double>& b_ms) {
   return Quantile(a_ms, 0.5) / std::max(Quantile(b_ms, 0.5), 1e-3);
 }

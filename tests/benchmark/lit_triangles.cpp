@@ -2,6 +2,7 @@
 
 #include <GLES3/gl3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -16,11 +17,11 @@
 namespace kaori::benchmark {
 namespace {
 
-// Quads along each side of the sheet that is closed to a sphere.
+// Quads along each side of the sheet.
 constexpr int kSide = 105;
 constexpr int kSkin_px = 1024;
 
-// The sphere is an ellipse of 0.29 of the picture: half of its width times half of its height is 0.29 * 4 / pi.
+// The half sphere is seen as an ellipse of 0.29 of the picture: half of its width times half of its height is 0.29 * 4 / pi.
 constexpr gl::ShaderFile kShaders[] = {
     {"lit.vert",
      "layout(location = 0) in vec3 position;\nlayout(location = 1) in vec2 uv;\n"
@@ -43,14 +44,19 @@ T MustHave(Result<T> made) {
   std::abort();
 }
 
-// Round about the upright axis, and up.
-std::vector<glm::vec3> Sphere() {
+// The sheet drawn over a half of a sphere, all of it towards the viewer; a square goes to a disc as Shirley and
+// Chiu's concentric map has it (1997).
+std::vector<glm::vec3> Bulge() {
   std::vector<glm::vec3> points;
   for (int row = 0; row <= kSide; ++row) {
-    const float up = std::numbers::pi_v<float> * (static_cast<float>(row) / kSide - 0.5F);
     for (int column = 0; column <= kSide; ++column) {
-      const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(column) / kSide;
-      points.emplace_back(std::cos(up) * std::sin(round), std::sin(up), std::cos(up) * std::cos(round));
+      const float x = 2 * static_cast<float>(column) / kSide - 1;
+      const float y = 2 * static_cast<float>(row) / kSide - 1;
+      const bool wide = std::abs(x) > std::abs(y);
+      const float radius = wide ? x : y;
+      const float turn = radius == 0 ? 0.0F : std::numbers::pi_v<float> / 4 * (wide ? y / x : 2 - x / y);
+      const glm::vec2 at = radius * glm::vec2(std::cos(turn), std::sin(turn));
+      points.emplace_back(at.x, at.y, std::sqrt(std::max(1 - radius * radius, 0.0F)));
     }
   }
   return points;
@@ -64,7 +70,7 @@ std::vector<glm::vec2> Sheet() {
   return uv;
 }
 
-// Counter-clockwise seen from outside.
+// Counter-clockwise seen by the viewer.
 std::vector<std::uint32_t> Quads() {
   constexpr std::uint32_t kRow = kSide + 1;
   std::vector<std::uint32_t> indices;
@@ -80,7 +86,8 @@ std::vector<std::uint32_t> Quads() {
 // Fine enough that no two texels are alike.
 std::vector<std::byte> Speckled() {
   std::vector<std::byte> texels(std::size_t{kSkin_px} * kSkin_px * 4);
-  for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::byte>(128 + i * 2654435761U % 97);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    texels[i] = static_cast<std::byte>(128 + i * 2654435761U % 97);
   return texels;
 }
 
@@ -103,12 +110,12 @@ gl::Handle AttachDepth(int width_px, int height_px) {
 LitTriangles::LitTriangles(int width_px, int height_px)
     : program_(MustHave(gl::Program::Make(
           {.library = kShaders, .vertex = "lit.vert", .fragment = "lit.frag", .defines = {}}))),
-      picture_(MustHave(gl::Target::Make(
-          {.width_px = width_px, .height_px = height_px, .texels = gl::Texels::kSrgb8}))),
+      picture_(MustHave(
+          gl::Target::Make({.width_px = width_px, .height_px = height_px, .texels = gl::Texels::kSrgb8}))),
       depth_(AttachDepth(width_px, height_px)),
       skin_({.width_px = kSkin_px, .height_px = kSkin_px, .mipmaps = true},
             gl::MipLevelsOf(Speckled(), kSkin_px, kSkin_px)),
-      positions_(Sphere()),
+      positions_(Bulge()),
       position_buffer_(gl::BufferUse::kEachFrame, positions_.size() * sizeof(glm::vec3)),
       uv_buffer_(gl::Buffer::Of(std::span<const glm::vec2>(Sheet()))),
       mesh_({{position_buffer_, sizeof(glm::vec3), {{0, 3, gl::Scalar::kFloat, 0}}},

@@ -19,7 +19,7 @@ namespace kaori::benchmark {
 
 class LitTriangles {
  public:
-  // 22 050 triangles, half of them turned away, over 29 % of a picture of this size. A context is current. Aborts
+  // 22 050 triangles, all towards the viewer, over 29 % of a picture of this size. A context is current. Aborts
   // with a line in the log where a shader fails.
   LitTriangles(int width_px, int height_px);
 
@@ -31,7 +31,7 @@ class LitTriangles {
   gl::Target picture_;
   gl::Handle depth_;
   gl::Texture skin_;
-  // As uploaded; a sphere's normals are its positions.
+  // As uploaded; normals of a sphere are its positions.
   std::vector<glm::vec3> positions_;
   gl::Buffer position_buffer_;
   gl::Buffer uv_buffer_;

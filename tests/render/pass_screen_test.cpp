@@ -40,7 +40,8 @@ class Windows {
  public:
   explicit Windows(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
-      buffers_.push_back(std::move(*gl::Target::Make({.width_px = kScreenWidth_px, .height_px = kScreenHeight_px})));
+      buffers_.push_back(
+          std::move(*gl::Target::Make({.width_px = kScreenWidth_px, .height_px = kScreenHeight_px})));
   }
   // Draws as the next picture, and gives what the window shows then.
   std::vector<std::uint8_t> Show(passes::ScreenPass& pass, const gl::Canvas& canvas) {

@@ -54,7 +54,9 @@ glm::vec3 CollarPoint(const Torso& torso, const Collar& collar, float share, int
   const glm::vec3 lying = torso.At(around, Torso::ElevationOf(fold) - turn_deg, collar.off_cm);
   const float settled = SmoothStep(0, 0.6F, fallen);
   const glm::vec3 hanging = fold + (lying - fold) * glm::vec3(1, 0.7F, 1);
-  return torso.Above(hanging + (lying - hanging) * settled, collar.off_cm);
+  // Between its rows and columns the collar is straight where the cloth is round.
+  constexpr float kRound_cm = 0.2F;
+  return torso.Above(hanging + (lying - hanging) * settled, collar.off_cm + kRound_cm * (1 - settled));
 }
 
 }  // namespace

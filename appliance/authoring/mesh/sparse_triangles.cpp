@@ -149,14 +149,16 @@ Rim RimOf(const SplitPolygon& p, const std::vector<bool>& kept) {
 std::size_t BestCorner(const SplitPolygon& p, const Shape& shape) {
   if (p.corners.size() != 4) return 0;
   const auto off = [&](std::size_t i) {
-    return glm::distance(shape.fine[p.middle], 0.5F * (shape.fine[p.corners[i]] + shape.fine[p.corners[i + 2]]));
+    return glm::distance(shape.fine[p.middle],
+                         0.5F * (shape.fine[p.corners[i]] + shape.fine[p.corners[i + 2]]));
   };
   return off(0) <= off(1) ? 0 : 1;
 }
 
 // Round the middle, or a fan from one vertex of the rim: from a kept edge, since a fan from a corner would have a
 // flat triangle along each kept edge that meets there.
-void Append(const SplitPolygon& p, const std::vector<bool>& kept, const Shape& rest, std::vector<Triangle>& to) {
+void Append(const SplitPolygon& p, const std::vector<bool>& kept, const Shape& rest,
+            std::vector<Triangle>& to) {
   const Rim rim = RimOf(p, kept);
   const std::size_t n = rim.vertices.size();
   const auto at = [&](std::size_t i) { return rim.vertices[i % n]; };
@@ -170,6 +172,7 @@ void Append(const SplitPolygon& p, const std::vector<bool>& kept, const Shape& r
 
 }  // namespace
 
+// What is kept is found first, over all poses: a triangle is taken back only where it is flat in each of them.
 std::vector<Triangle> SparseTriangles(const face::Cast& cast, std::uint16_t face, const Flatness& flatness) {
   const face::FineMesh& fine = cast.topology.fine;
   const std::vector<SplitPolygon> polygons = PolygonsOf(fine.triangles);
@@ -187,8 +190,16 @@ std::vector<Triangle> SparseTriangles(const face::Cast& cast, std::uint16_t face
   return sparse;
 }
 
+// What gleams shows how its surface turns more than skin does.
 void LeaveOutFlat(face::Cast& cast) {
-  for (std::uint16_t f = 0; f < cast.faces.size(); ++f) cast.faces[f].sparse = SparseTriangles(cast, f);
+  constexpr float kGleamTurn_rad = 0.06F;
+  const Flatness of_skin;
+  for (std::uint16_t f = 0; f < cast.faces.size(); ++f) {
+    Flatness flatness = of_skin;
+    const bool gleams = cast.faces[f].surface.metal > 0 || cast.faces[f].surface.softness < 0.5F;
+    if (gleams) flatness.turn_rad = kGleamTurn_rad;
+    cast.faces[f].sparse = SparseTriangles(cast, f, flatness);
+  }
 }
 
 }  // namespace kaori::mesh
