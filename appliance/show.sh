@@ -36,13 +36,20 @@ new_show() {
   say "$1 holds a show of your own: the default show under the name $name. Change what you like, then: ./box show play $1"
 }
 
+# The show for a box, with pictures for decks with keys: add_keys PACK COPY
+add_keys() {
+  say "drawing what decks show on their keys"
+  $BIN/kaori-atelier keys "$1" "$2" >"$LOGS/keys.log" 2>&1 || fail "the pictures of keys could not be drawn; see $LOGS/keys.log"
+}
+
 pack_show() {
   local -a words=() sign=()
   while [ $# -gt 0 ]; do
     case $1 in
       --sign)
         [ $# -gt 1 ] || fail "--sign wants a KEYFILE; see ./box help"
-        sign=(--sign "$(from_caller "$2")")
+        sign=("$(from_caller "$2")")
+        [ -f "${sign[0]}" ] || fail "there is no key $2; ./box show key makes one"
         shift
         ;;
       -*) fail "show pack knows no $1; see ./box help" ;;
@@ -54,8 +61,10 @@ pack_show() {
   [ -d "${words[0]}" ] || fail "${words[0]} is no folder of a show; ./box show new FOLDER makes one"
   need "${BUILD_PACKAGES[@]}"
   build release kaori-atelier
-  $BIN/kaori-atelier pack "${words[0]}" "${words[1]:-${words[0]%/}.kaori}" "${sign[@]}" ||
-    fail "the show could not be packed; the reasons stand above"
+  local pack=${words[1]:-${words[0]%/}.kaori}
+  $BIN/kaori-atelier pack "${words[0]}" "$pack" || fail "the show could not be packed; the reasons stand above"
+  [ ${#sign[@]} -eq 0 ] || { add_keys "$pack" "$pack" && $BIN/kaori-atelier sign "$pack" "${sign[0]}"; } ||
+    fail "the show could not be signed; the reason stands above"
 }
 
 # Names of files are the caller's, who may stand elsewhere.
@@ -129,7 +138,7 @@ push_show() {
   name=$(basename "${words[0]%/}" .kaori)
   mkdir -p $SHOWS
   copy=$SHOWS/$name.signed.kaori
-  cp "$pack" "$copy" && $BIN/kaori-atelier sign "$copy" "$key" || fail "the show could not be signed; the reason stands above"
+  add_keys "$pack" "$copy" && $BIN/kaori-atelier sign "$copy" "$key" || fail "the show could not be signed; the reason stands above"
   $BIN/kaori-stage --rehearse "$copy" || fail "a box would not play it; the reason stands above"
   cp "$copy" "${words[1]}/$name.kaori" && cp "$key.pub" "${words[1]}/$(basename "$key" .key).pub" && sync -f "${words[1]}" ||
     fail "the stick could not be written; the reason stands above"

@@ -71,6 +71,13 @@ Result<UniqueFd> AcceptPeer(int listener) {
   return peer;
 }
 
+Result<std::uint32_t> PeerUser(int socket) {
+  ucred peer{};
+  socklen_t bytes = sizeof(peer);
+  if (::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &bytes) < 0) return FailErrno("ask who a peer is");
+  return peer.uid;
+}
+
 Result<UniqueFd> ConnectToPeer(const std::string& path) {
   const auto address = UnixAddress(path);
   if (!address) return Fail(std::errc::filename_too_long, "connect to " + path);

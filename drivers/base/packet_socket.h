@@ -32,6 +32,10 @@ Result<UniqueFd> ListenForPackets(const std::string& path);
 // the socket's folder. Errors: resource_unavailable_try_again (none waits), those of accept4(2).
 Result<UniqueFd> AcceptPeer(int listener);
 
+// The user id of the program at the other end, as it was when that connected (SO_PEERCRED of unix(7)). Errors: those of
+// getsockopt(2).
+Result<std::uint32_t> PeerUser(int socket);
+
 // Connects to a listening socket. Errors:
 //   no_such_file_or_directory       nobody listens at `path`
 //   connection_refused              its owner died and left the socket behind

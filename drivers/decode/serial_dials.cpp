@@ -86,6 +86,8 @@ bool SerialDialDecoder::Begin(std::uint8_t byte, Time at) {
   }
   if (box_ != SerialBox::kDls80 && byte == kReset) {
     unread_bytes_ = 0;
+    // Its test of itself takes longer than any gap, so that a byte without silence before it is no answer.
+    if (is_first_) positions_ = {}, ++resets_;
     return false;
   }
   if (box_ != SerialBox::kDls80 && byte >= kFirstButtonByte) return AcceptButton(byte, at);
@@ -195,10 +197,14 @@ std::vector<std::uint8_t> SerialDialSession::Due(Time now) {
   return {kReset};
 }
 
-// What a box says before it was asked, or before its answer, is of an earlier life.
+// What a box says before it was asked, or before its answer, is of an earlier life. A box that answers again is one that
+// was asked twice since its first answer came late, or that lost its power: what started it is gone.
 bool SerialDialSession::Accept(std::uint8_t byte, Time at) {
+  const std::uint32_t resets = decoder_.resets();
+  const bool changed = decoder_.Accept(byte, at);
+  if (answered_ && decoder_.resets() != resets) started_ = false;
   if (!answered_ && byte == kReset && asked_at_) answered_ = true;
-  return decoder_.Accept(byte, at);
+  return changed;
 }
 
 std::vector<std::uint8_t> SerialDialSession::LampBytes(std::uint32_t lit) const {

@@ -47,6 +47,9 @@ class SerialDialDecoder {
   // Messages that were passed over, and those that were whole.
   std::uint32_t torn() const { return torn_; }
   std::uint32_t whole() const { return whole_; }
+  // How often the box said, after silence, that it has begun anew: then it reports nothing until it is told to, and its
+  // dials stand elsewhere.
+  std::uint32_t resets() const { return resets_; }
   // Much of what came lately was no message, or nothing for a second: the line has another speed, or another
   // device.
   bool is_strange() const;
@@ -78,12 +81,14 @@ class SerialDialDecoder {
   std::uint32_t buttons_down_ = 0;
   std::uint32_t torn_ = 0;
   std::uint32_t whole_ = 0;
+  std::uint32_t resets_ = 0;
   int doubt_ = 0;                   // Grows with torn messages, and is taken back by several whole ones.
   std::uint32_t unread_bytes_ = 0;  // Since the last whole message.
 };
 
 // Both directions of a line: the box is asked, and what it sends is decoded. It sends nothing by itself; what
-// is to be sent it gives away. Pure; one thread.
+// is to be sent it gives away. A question resets the box, and one that is late on its way resets a box that was started
+// meanwhile: it answers once more, and is started once more. Pure; one thread.
 class SerialDialSession {
  public:
   enum class State : std::uint8_t {

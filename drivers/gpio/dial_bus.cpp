@@ -25,11 +25,10 @@ class DialChannel final : public ports::HidChannel {
     for (int n = 0; n < kEdgesAtOnce; ++n) {
       const auto edge = lines_->ReadEdge();
       if (!edge && turned) break;
-      if (!edge) return tl::unexpected(edge.error());
+      if (!edge) return dials_.Expire(clock_.now()) ? Lost() : tl::unexpected(edge.error());
       turned |= dials_.Accept(*edge);
       at_ = edge->at;
-      if (!dials_.needs_levels()) continue;
-      if (auto resumed = Resume(); !resumed) return tl::unexpected(resumed.error());
+      if (dials_.needs_levels()) return Lost();
     }
     // Edges without a turn are no report; the loop comes again for the rest.
     if (!turned) return Fail(std::errc::resource_unavailable_try_again, std::string("read ") + kPort);
@@ -42,7 +41,7 @@ class DialChannel final : public ports::HidChannel {
  private:
   // The error of a gap is told after the dials go on. The time is that before the levels: an edge in between
   // is in them already, and comes to no turn when it is read; passed over it would be missing.
-  Result<void> Resume() {
+  Result<ports::HidInput> Lost() {
     const Time at = clock_.now();
     const auto levels = lines_->Levels();
     if (!levels) return tl::unexpected(levels.error());

@@ -54,6 +54,7 @@ Result<ports::HidInput> SerialChannel::Read(std::span<std::uint8_t> into) {
   for (int fills = 0; fills < kFillsAtOnce; ++fills) {
     while (next_ < end_)
       if (spoken_.session.Accept(bytes_[next_++], read_at_)) return Report(into);
+    SendDue(spoken_, read_at_);  // A box that began anew is told to report.
     if (spoken_.session.state() == decode::SerialDialSession::State::kStrange) {
       loan_.was_strange = true;
       return Fail(std::errc::no_such_device,

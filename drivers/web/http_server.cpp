@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "drivers/web/response.h"
+
 namespace kaori::web {
 namespace {
 
@@ -43,12 +45,6 @@ std::string_view Header(MHD_Connection* connection, const char* name) {
   return value == nullptr ? std::string_view() : value;
 }
 
-MHD_Response* Text(std::string_view text) {
-  auto* bytes = const_cast<char*>(text.data());  // Copied: MHD's signature is older than const.
-  MHD_Response* response = MHD_create_response_from_buffer(text.size(), bytes, MHD_RESPMEM_MUST_COPY);
-  return response;
-}
-
 // Owns `response`. MHD_NO closes the connection.
 MHD_Result Send(MHD_Connection* connection, unsigned status, MHD_Response* response) {
   if (response == nullptr) return MHD_NO;
@@ -59,7 +55,7 @@ MHD_Result Send(MHD_Connection* connection, unsigned status, MHD_Response* respo
 }
 
 MHD_Result SendText(MHD_Connection* connection, unsigned status, std::string_view text) {
-  return Send(connection, status, Text(fmt::format("{}\n", text)));
+  return Send(connection, status, TextResponse(fmt::format("{}\n", text)));
 }
 
 }  // namespace
@@ -143,9 +139,9 @@ struct HttpServer::Callbacks {
     return MHD_YES;
   }
 
-  static void Append(Exchange& exchange, std::string_view part) {
+  static void Append(const HttpServer& server, Exchange& exchange, std::string_view part) {
     // The rest of a body that is too long is read and dropped, so that the reply reaches the client.
-    exchange.too_long |= exchange.request.body.size() + part.size() > kMostBodyBytes;
+    exchange.too_long |= exchange.request.body.size() + part.size() > server.options_.most_body_bytes;
     if (!exchange.too_long) exchange.request.body += part;
   }
 
@@ -157,12 +153,14 @@ struct HttpServer::Callbacks {
     if (*slot == nullptr) return Begin(server, connection, path, method, slot);
     auto& exchange = *static_cast<Exchange*>(*slot);
     if (*part_bytes > 0) {
-      Append(exchange, {part, *part_bytes});
+      Append(server, exchange, {part, *part_bytes});
       *part_bytes = 0;
       return MHD_YES;
     }
     BeginReply(server, connection);
-    if (exchange.too_long) return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE, "4096 bytes at most");
+    if (exchange.too_long)
+      return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE,
+                      fmt::format("{} bytes at most", server.options_.most_body_bytes));
     unsigned status = MHD_HTTP_OK;
     MHD_Response* response = server.Respond(exchange.request, connection, &status);
     return Send(connection, status, response);
@@ -268,15 +266,18 @@ void HttpServer::KeepShares(Connection& newest) {
 }
 
 MHD_Response* HttpServer::Respond(const Request& request, MHD_Connection* connection, unsigned* status) {
-  const Answer answer = handler_(request);
+  Answer answer = handler_(request);
   if (Feed* const* feed = std::get_if<Feed*>(&answer)) {
     if (std::ranges::find(feeds_, *feed) == feeds_.end()) feeds_.push_back(*feed);
     Callbacks::ConnectionOf(connection).limit = {};
     return (*feed)->Listen(connection);
   }
-  const auto& reply = std::get<Reply>(answer);
+  auto& reply = std::get<Reply>(answer);
   *status = reply.status;
-  MHD_Response* response = Text(reply.body);
+  // A file takes as long as it takes, for as long as it is received.
+  if (reply.file.valid()) Callbacks::ConnectionOf(connection).limit = {};
+  MHD_Response* response =
+      reply.file.valid() ? FileResponse(std::move(reply.file), reply.file_name) : TextResponse(reply.body);
   if (response == nullptr) return nullptr;
   MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, reply.content_type.c_str());
   if (!reply.cookie.empty())

@@ -14,6 +14,7 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
 #include "drivers/web/feed.h"
 #include "drivers/web/listener.h"
 
@@ -40,7 +41,7 @@ struct Request {
   // "GET", "POST" ...
   std::string method;
   std::string path;  // Without the query.
-  std::string body;  // kMostBodyBytes at most; longer ones are refused unread.
+  std::string body;  // ServerOptions::most_body_bytes at most; longer ones are refused unread.
   // As the client sent it, unparsed.
   std::string cookie{};
   std::string languages{};  // Its Accept-Language.
@@ -54,9 +55,13 @@ struct Reply {
   std::string content_type = "text/plain; charset=utf-8";
   std::string body;
   std::string cookie{};  // A Set-Cookie header; empty: none.
+  // In place of the body where it is valid: a regular file, all of it, which a browser saves under this name. The name has neither
+  // quotes nor line ends.
+  UniqueFd file{};
+  std::string file_name{};
 };
 
-// Far more than any message of our pages. It bounds what a client can make the program keep.
+// Far more than most messages of our pages. It bounds what a client can make the program keep.
 inline constexpr std::size_t kMostBodyBytes = 4096;
 
 // A certificate chain and its private key, both as PEM.
@@ -83,14 +88,15 @@ struct ServerOptions {
   // whole yet is closed, of that address or of all: who says nothing keeps nobody waiting. Where all requests
   // are whole, the newest is.
   unsigned most_connections = 64;
-  unsigned most_of_one_address = 24;  // A browser opens six for each page.
+  unsigned most_of_one_address = 24;             // A browser opens six for each page.
+  std::size_t most_body_bytes = kMostBodyBytes;  // Of a request.
   Guard guard{};  // Called with the headers, before the body is read; null: all are accepted.
 };
 
 // Serves pages and feeds by libmicrohttpd, which is driven by the program's own loop and has no thread. HTTPS is TLS 1.2 or
 // 1.3, with a key for each session and authenticated encryption alone (RFC 9325). A path with a zero byte
 // gets 400. One thread, that of the loop. No call blocks. A connection is closed whose request is not whole
-// within 10 s, whose reply is not received within 30 s, or whose feed receives nothing for 30 s.
+// within 10 s, whose reply is not received within 30 s, or whose feed or file receives nothing for 30 s.
 class HttpServer {
  public:
   using Answer = std::variant<Reply, Feed*>;  // A Feed must outlive the server.
@@ -135,7 +141,7 @@ class HttpServer {
       : options_(std::move(options)), loop_(loop), clock_(clock), handler_(std::move(handler)) {}
   // Opens the socket and starts MHD on it. Errors: as Open.
   Result<void> Start();
-  // The handler's answer as MHD's response; null when memory is short.
+  // The handler's answer as MHD's response; null when memory is short, or a file cannot be looked at.
   MHD_Response* Respond(const Request& request, MHD_Connection* connection, unsigned* status);
   static void Close(Connection& entry);
   // By their limits; the clock is asked once.

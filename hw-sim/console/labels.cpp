@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,10 +65,25 @@ bool ReadDial(const Json& json, DialLabel& into) {
          ReadTexts(json, "filled_by", into.filled_by);
 }
 
+bool ReadButton(const Json& json, ButtonLabel& into) {
+  return ReadText(json, "text", into.text) && ReadText(json, "group", into.group);
+}
+
+// The array `name` of `json`, entry by entry into `into`; nothing, or the entry that is wrong.
+template <class Row, class Read>
+std::optional<std::string> ReadRow(const Json& json, const char* name, Row& into, Read read) {
+  if (!json.contains(name)) return std::nullopt;
+  const Json& row = json[name];
+  if (!row.is_array() || row.size() > into.size()) return fmt::format("{} are {} at most", name, into.size());
+  for (std::size_t n = 0; n < row.size(); ++n)
+    if (!read(row[n], into[n])) return fmt::format("{}, entry {}", name, n + 1);
+  return std::nullopt;
+}
+
 bool ReadStick(const Json& json, StickLabel& into) {
   if (ReadTextAlone(json, into.text)) return true;
   return ReadText(json, "text", into.text) && ReadText(json, "twist", into.twist) &&
-         ReadText(json, "slide", into.slide);
+         ReadText(json, "slide", into.slide) && !ReadRow(json, "buttons", into.buttons, ReadButton);
 }
 
 // The usage is needed; the rest may be left out.
@@ -108,21 +124,6 @@ bool ReadMotion(const Json& json, MotionLabel& into) {
          ReadFlag(json, "take", into.take) && ReadFlag(json, "sound", into.sound);
 }
 
-bool ReadButton(const Json& json, ButtonLabel& into) {
-  return ReadText(json, "text", into.text) && ReadText(json, "group", into.group);
-}
-
-// The array `name` of `json`, entry by entry into `into`; nothing, or the entry that is wrong.
-template <class Row, class Read>
-std::optional<std::string> ReadRow(const Json& json, const char* name, Row& into, Read read) {
-  if (!json.contains(name)) return std::nullopt;
-  const Json& row = json[name];
-  if (!row.is_array() || row.size() > into.size()) return fmt::format("{} are {} at most", name, into.size());
-  for (std::size_t n = 0; n < row.size(); ++n)
-    if (!read(row[n], into[n])) return fmt::format("{}, entry {}", name, n + 1);
-  return std::nullopt;
-}
-
 // The entry that is wrong, for people; nothing: all is well.
 std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (!json.is_object()) return "no JSON object";
@@ -145,6 +146,12 @@ std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (auto fault = ReadRow(json, "second_buttons", into.second_buttons, ReadButton)) return fault;
   if (auto fault = ReadRow(json, "sticks", into.sticks, ReadStick)) return fault;
   return ReadRow(json, "keys", into.keys, ReadKey);
+}
+
+Json ButtonsJson(std::span<const ButtonLabel> buttons) {
+  Json json = Json::array();
+  for (const auto& button : buttons) json.push_back({{"text", button.text}, {"group", button.group}});
+  return json;
 }
 
 Json DialJson(const DialLabel& dial) {
@@ -172,12 +179,13 @@ std::string LabelsJson(const Labels& labels) {
             {"roles", labels.roles},   {"devices", labels.devices}, {"teachable", labels.teachable},
             {"motions", Json::array()}};
   for (const auto& dial : labels.dials) json["dials"].push_back(DialJson(dial));
-  for (const auto& button : labels.buttons)
-    json["buttons"].push_back({{"text", button.text}, {"group", button.group}});
-  for (const auto& button : labels.second_buttons)
-    json["second_buttons"].push_back({{"text", button.text}, {"group", button.group}});
+  json["buttons"] = ButtonsJson(labels.buttons);
+  json["second_buttons"] = ButtonsJson(labels.second_buttons);
   for (const auto& stick : labels.sticks)
-    json["sticks"].push_back({{"text", stick.text}, {"twist", stick.twist}, {"slide", stick.slide}});
+    json["sticks"].push_back({{"text", stick.text},
+                              {"twist", stick.twist},
+                              {"slide", stick.slide},
+                              {"buttons", ButtonsJson(stick.buttons)}});
   for (const auto& key : labels.keys)
     json["keys"].push_back({{"usage", key.usage}, {"text", key.text}, {"group", key.group}});
   for (const auto& cue : labels.cues)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/base/result.h"
+#include "firmware/wire/stick_pod.h"
 
 namespace kaori::console {
 
@@ -35,12 +36,13 @@ struct ButtonLabel {
   std::string group{};  // Buttons of one group have one colour: "face", "expression", "style", "scene" or "".
 };
 
-// The words beside a stick's two axes, its twist and its slider.
+// The words beside a stick's two axes, its twist and its slider, and on its buttons.
 struct StickLabel {
   // What the stick itself does when it is moved.
   std::string text{};
   std::string twist{};
   std::string slide{};
+  std::array<ButtonLabel, wire::kStickPodButtons> buttons{};
 };
 
 // A key that the show uses; others are not drawn.
@@ -109,7 +111,7 @@ struct Labels {
 Result<Labels> LoadLabels(const std::string& path);
 
 // {"show":text, "dials":[{"text","unit","low","high","per_turn","start","filled_by":[..]}..],
-//  "buttons":[{"text","group"}..], "second_buttons":[..], "sticks":[{"text","twist","slide"}..],
+//  "buttons":[{"text","group"}..], "second_buttons":[..], "sticks":[{"text","twist","slide","buttons":[..]}..],
 //  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..],
 //  "cues":[{"number","text","act","notes","by_itself"}..], "levels":[{"text","unit","per_unit","low","high","rest"}..],
 //  "roles":[name..], "devices":[name..], "teachable":[name..],

@@ -61,6 +61,9 @@ class UsbDevice {
   // link cuts what is longer than wLength.
   virtual std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) = 0;
 
+  // Whether it answers the requests of every device by itself: what it leaves alone stalls then.
+  virtual bool answers_standard() const { return false; }
+
   // Data for an OUT endpoint, one transfer. What the device cannot use it drops.
   virtual void HandleOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) = 0;
 

@@ -79,6 +79,7 @@ Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk,
   return ok;
 }
 
+// Two copies of the image's disk are two boxes that were never set up alike; only the stick goes from one to the other.
 Result<void> Backup(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   if (!std::filesystem::exists(options.sticks + "/evening.stick"))

@@ -75,6 +75,7 @@ void ParseRest(const Json& board, BoardView& view) {
   view.cue_active = board.at("cues").at("active");
   view.cue_pending = board.at("cues").at("pending");
   view.cue_standby = board.at("cues").at("standby");
+  view.desk_code = board.at("desk_code");
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 #include "drivers/base/result.h"
 
-// A joystick of the board. Values are the box's: after dead zone and centre.
 namespace kaori::hil {
 
+// A joystick of the board. Values are the box's: after dead zone and centre.
 // `port` is a number that the box made of the port's name, so that equal sticks can be told apart.
 struct StickView {
   // Its device is there and delivers; else the values are those that were read last.
@@ -64,7 +64,7 @@ struct BoardView {
   // there, that for which it is longest ago.
   std::int64_t input_at_ns = 0;
   bool lines_live = false;
-  // Bit n: input line n is active.
+  // Bit n: input line n is active, as the box's settings have it: active low is turned round already.
   std::uint32_t lines_active = 0;
   bool lips_live = false;
   // Camera frames that were measured since the lip program began.
@@ -74,6 +74,7 @@ struct BoardView {
   // 0 nothing was found .. 1 the lip reader is sure.
   double lips_quality = 0;
   bool voice_live = false;
+  // Loud enough to move the mouth, by the lip program's own threshold.
   bool voice_speaking = false;
   // Of full scale; -100 is silence.
   double voice_level_db = -100;
@@ -90,6 +91,8 @@ struct BoardView {
   int cue_pending = -1;
   // What GO plays next.
   int cue_standby = 0;
+  // By which a visitor of the desk pairs, as the screen shows it; -1: it shows none.
+  int desk_code = -1;
 
   // `usage` is of HID page 7.
   bool key_down(std::uint8_t usage) const { return (keys_down[usage / 32U] >> (usage % 32U) & 1U) != 0; }

@@ -123,6 +123,8 @@ std::vector<Check> PlayChecks();
 std::vector<Check> InputChecks();
 // Surfaces that people own, by their twins.
 std::vector<Check> SurfaceChecks();
+// The shipped firmware in its emulated chip, as the dial box of the box.
+std::vector<Check> ChipChecks();
 // Serial dial boxes of 1993, and dials on GPIO lines.
 std::vector<Check> SerialBoxChecks();
 std::vector<Check> DialLineChecks();
@@ -168,6 +170,8 @@ std::vector<Check> StickChecks();
 std::vector<Check> DamagedDiskChecks();
 // A box with an address in a network lets a visitor calibrate its lips, while the service key is on.
 std::vector<Check> DeskChecks();
+// The show report of an evening.
+std::vector<Check> ReportChecks();
 // A box is kept on a stick, and another one becomes it.
 std::vector<Check> BackupChecks();
 // The screens that a box may find, and what is on its screen from power to the face.

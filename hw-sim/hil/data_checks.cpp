@@ -38,11 +38,13 @@ struct Ruin {
   bool keeps_settings;        // Whether what was kept is there again.
 };
 
+// The first is mended by mounting alone, the second by e2fsck, the third by neither: it is made anew.
 constexpr std::array kRuins{
     Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, "is mounted by a copy", "", true},
     Ruin{"a lost journal", "clri <8>", 0, 0, "cannot be mounted", "is mended", true},
     Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, "cannot be mounted", "what was kept is lost", false}};
 
+// What is written stays, since the next start is to find it.
 Setup SetupOn(const std::string& disk) {
   return {.sound = false, .keeps_disk = true, .width_px = 480, .height_px = 270, .disk = disk};
 }
@@ -66,6 +68,7 @@ Result<std::string> RuinedDisk(Scene& scene, const Ruin& ruin) {
   return copy->file;
 }
 
+// What the first program and kaori-data found wrong is told to everybody by one file in memory, which the status shows.
 // Errors: invalid_argument, the box says something else; with what it says.
 Result<void> WantSaid(Scene& scene, const Ruin& ruin, std::string_view words, Duration longest) {
   std::string faults;

@@ -18,6 +18,7 @@ constexpr Duration kQuiet = seconds(20);      // For so long nothing may change 
 constexpr Duration kAfterFace = seconds(10);  // For so long the screen is looked at after the first face.
 constexpr double kSameFace = 0.06;            // As far as a face moves by itself.
 constexpr int kWidth_px = 320, kHeight_px = 240;
+// In systemd's own words.
 constexpr const char* kStageEnded = "kaori-stage.service: Main process exited";
 
 // The machines of these checks. Screens are small, since the guest draws by its processor, which is emulated;
@@ -35,6 +36,7 @@ const Setup kLateScreen{.plugged = false,
                         .height_px = kHeight_px};
 const Setup kHandover{.plugged = false, .sound = false, .agent = false, .width_px = 480, .height_px = 270};
 
+// Whatever the screen tells of itself, or does not: the box chooses a mode, and her face moves in it.
 Result<void> MovingFace(Scene& scene) {
   if (auto ok = scene.AwaitMovingFace(0, kLongestDisplay); !ok) return ok;
   scene.finding.said = "a face that moves";
@@ -43,6 +45,7 @@ Result<void> MovingFace(Scene& scene) {
 
 // The machine's time is taken away, not its clock: frames are slow, and no hang.
 Result<void> BusyMachine(Scene& scene) {
+  // A minute, of which a virtual processor has a quarter.
   constexpr int kTimes = 30;
   constexpr Duration kTaken = milliseconds(1500), kLeft = milliseconds(500);
   if (auto ok = scene.AwaitMovingFace(0, kLongestDisplay); !ok) return ok;
@@ -68,6 +71,8 @@ Result<void> AwaitFirstPicture(Scene& scene) {
   return Fail(std::errc::timed_out, "wait for the first picture");
 }
 
+// The machine has no agent: what the stage says on the console is all that is known of it. A stage that ended would be
+// started again, and again, which the console says as well.
 Result<void> PlayUnseen(Scene& scene, const Setup& setup) {
   if (auto ok = scene.SwitchOn(setup); !ok) return ok;
   if (auto ok = AwaitFirstPicture(scene); !ok) return ok;
@@ -115,6 +120,7 @@ Result<void> PlayWithLateScreen(Scene& scene, bool comes) {
   return HasEnded(scene) ? FailInput("the stage started again for a screen") : Result<void>{};
 }
 
+// The machine goes off in each case: what is plugged in here is in no other check.
 Result<void> LateScreen(Scene& scene) {
   auto ok = PlayWithLateScreen(scene, true);
   scene.target.machine().Off();

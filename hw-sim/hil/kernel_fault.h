@@ -7,7 +7,8 @@
 
 namespace kaori::hil {
 
-// In kernel/panic.c, lib/bug.c and arch/x86/kernel/traps.c.
+// In kernel/panic.c, lib/bug.c and arch/x86/kernel/traps.c. A line of another severity, which tells of a device that is
+// broken or of a setting, is no fault of the kernel: the check `kernel` looks at those by their number.
 inline constexpr std::array<std::string_view, 5> kKernelFaults{
     "BUG:", "WARNING:", "Oops:", "general protection fault", "Kernel panic"};
 

@@ -30,6 +30,7 @@ constexpr double kOtherLook = 0.12;        // At least so far are two scenes apa
 constexpr std::string_view kEnd =
     "KAORI LF";  // The end of a last face's file begins so (appliance/core/last_face/last_face.h).
 
+// Without its devices the face moves by itself alone, which two pictures of one scene may differ by.
 Setup SetupOf(const std::string& disk, bool agent) {
   return {.plugged = false,
           .sound = false,
@@ -43,6 +44,7 @@ Setup SetupOf(const std::string& disk, bool agent) {
 // The box's data partition, on a copy of its disk that keeps what is written.
 class KeptDisk {
  public:
+  // Errors: those of CopyDisk.
   static Result<KeptDisk> Copy(const QemuOptions& options) {
     const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "kept.disk", "data");
     if (!copy) return tl::unexpected(copy.error());
@@ -52,6 +54,7 @@ class KeptDisk {
 
   // Where each last face on it ends, those that were replaced too, and what that end says.
   std::map<std::uint64_t, std::string> Faces() const {
+    // All of the partition is read: files that were replaced are in no folder any more.
     constexpr std::size_t kEndBytes = 32;
     std::ifstream file(file_, std::ios::binary);
     file.seekg(static_cast<std::streamoff>(data_));

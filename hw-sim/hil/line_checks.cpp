@@ -75,6 +75,7 @@ class SwitchesOpenAfterwards {
 };
 
 // Lines that change nothing on the screen: they are seen on the board alone.
+// Both ways, each by itself.
 Result<void> AllSwitches(Scene& scene) {
   for (const int line : {kService, kPresence})
     for (const bool on : {true, false})

@@ -24,7 +24,8 @@ namespace {
 constexpr std::string_view kHelp =
     R"(kaori-bench: the box's image in a virtual machine, with simulated devices, tried and reported
 
-  --image FOLDER        bzImage, cmdline and kaori.disk (out/image)
+  --image FOLDER        kernel, cmdline and kaori.disk (out/image)
+  --arch amd64          the image's processor: amd64 or arm64
   --bench-disk FILE     the disk with the in-guest agent and tools
   --bench-kernel FILE   a kernel with simulated hardware of its own, for the checks that want it
   --report FOLDER       where report.html, report.xml and pictures go
@@ -39,6 +40,7 @@ constexpr std::string_view kHelp =
   --controls            each check is followed by its negative control
   --usual-image FILE    the program that makes an image which starts in the usual way (tests/hil/usual_image)
   --sticks FOLDER       images of sticks that are plugged in (out/sticks)
+  --chip FOLDER         the dial box's shipped image and the emulator of its chip (tests/firmware/chip.py)
   --size 480x270        of the screen
   --memory 512          of the machine, in MiB
 
@@ -56,8 +58,8 @@ log and its monitor are FOLDER/console.log and FOLDER/qmp
 struct Settings {
   std::string image = "out/image", bench_disk, bench_kernel, report = "out/bench", figures, play, only;
   std::string scenes = "0", replugs = "200", seed = "1", size = "480x270", memory = "512",
-              usual_image = "tests/hil/usual_image", sticks = "out/sticks";
-  std::string shot, command, disk;
+              usual_image = "tests/hil/usual_image", sticks = "out/sticks", chip;
+  std::string shot, command, disk, arch = "amd64";
   bool chosen = false, list = false, controls = false, boot = false, trace = false;
   bool keep_disk = false;
 };
@@ -114,16 +116,18 @@ void Tell(const kaori::hil::ReportedCheck& check) {
 // that is no number is the least one.
 kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& folder,
                                   const kaori::Size& size) {
-  return {.image = settings.image,
-          .bench_disk = settings.bench_disk,
-          .bench_kernel = settings.bench_kernel,
-          .usual_image = settings.usual_image,
-          .sticks = std::filesystem::absolute(settings.sticks),
-          .folder = folder,
-          .width_px = size.width_px,
-          .height_px = size.height_px,
-          .memory_mib = std::max(64, std::atoi(settings.memory.c_str())),
-          .window = settings.boot && settings.shot.empty() && std::getenv("DISPLAY") != nullptr};
+  return {
+      .architecture = kaori::hil::ParseArchitecture(settings.arch).value_or(kaori::hil::Architecture::kAmd64),
+      .image = settings.image,
+      .bench_disk = settings.bench_disk,
+      .bench_kernel = settings.bench_kernel,
+      .usual_image = settings.usual_image,
+      .sticks = std::filesystem::absolute(settings.sticks),
+      .folder = folder,
+      .width_px = size.width_px,
+      .height_px = size.height_px,
+      .memory_mib = std::max(64, std::atoi(settings.memory.c_str())),
+      .window = settings.boot && settings.shot.empty() && std::getenv("DISPLAY") != nullptr};
 }
 
 // Starts nothing: who runs the command decides when, and where it ends.
@@ -134,8 +138,9 @@ int PrintCommand(const Settings& settings, const kaori::Size& size) {
   // For others' machines: no graphics card, no agent, and the folder of the caller.
   const kaori::hil::Setup setup{
       .agent = false, .keeps_disk = settings.keep_disk, .graphics = kaori::hil::Graphics::kNone};
-  for (const std::string& word : kaori::hil::QemuCommand(MachineOf(settings, settings.command, size), setup,
-                                                         kaori::hil::LoggedCommandLine(*line), disk))
+  const auto machine = MachineOf(settings, settings.command, size);
+  for (const std::string& word :
+       kaori::hil::QemuCommand(machine, setup, kaori::hil::LoggedCommandLine(machine, *line), disk))
     fmt::print("{}\n", word);
   return 0;
 }
@@ -203,14 +208,17 @@ int main(int argc, char** argv) {
   options.Text("--scenes", settings.scenes).Switch("--controls", settings.controls);
   options.Text("--usual-image", settings.usual_image)
       .Text("--memory", settings.memory)
-      .Text("--sticks", settings.sticks);
+      .Text("--sticks", settings.sticks)
+      .Text("--chip", settings.chip);
   options.Switch("--boot", settings.boot).Switch("--trace", settings.trace).Text("--shot", settings.shot);
   options.Text("--command", settings.command).Text("--disk", settings.disk);
-  options.Switch("--keep-disk", settings.keep_disk);
+  options.Switch("--keep-disk", settings.keep_disk).Text("--arch", settings.arch);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.list) return List();
   const auto size = kaori::ParseSize(settings.size);
   if (!size) return Exit(kaori::FailInput("--size " + settings.size + ": expected such as 960x540").value());
+  if (!kaori::hil::ParseArchitecture(settings.arch))
+    return Exit(kaori::FailInput("--arch " + settings.arch + ": expected amd64 or arm64").value());
   if (!settings.command.empty()) return PrintCommand(settings, *size);
   if (WantedChecks(settings).empty())
     return Exit(kaori::FailInput("no check is called " + settings.only).value());

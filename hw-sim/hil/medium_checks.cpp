@@ -15,6 +15,7 @@ namespace {
 using std::chrono::minutes;
 using std::chrono::seconds;
 
+// The agent lies on the bench's disk, which shares the medium's controller: an emulated stick is slow.
 constexpr Duration kMediumAnswer = minutes(2), kLongestMediumStart = minutes(6);
 constexpr Duration kLongestPlayOn =
     minutes(2);  // For the frames that must come after something was plugged in.
@@ -38,6 +39,8 @@ std::vector<std::pair<std::string, bool>> StorageIn(Scene& scene) {
   return found;
 }
 
+// The box plays on while something is plugged in: frames that were drawn since, and not the picture, which may stand
+// still for a moment anyway.
 Result<void> AwaitMoreFrames(Scene& scene) {
   constexpr std::uint32_t kFrames = 2;
   const auto before = scene.target.Board();

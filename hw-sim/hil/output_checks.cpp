@@ -106,6 +106,8 @@ Result<Marks> CountStatus(Scene& scene) {
   return Marks{*amber, *green};
 }
 
+// The status is drawn a cell at a time, so that a picture between two of them is not what it will be: it is looked at
+// again until it is right. Errors: timed_out, with `what` was awaited.
 Result<void> AwaitStatus(Scene& scene, const std::function<bool(const Marks&)>& right, const char* what) {
   const auto seen = [&] {
     const auto marks = CountStatus(scene);
@@ -114,6 +116,7 @@ Result<void> AwaitStatus(Scene& scene, const std::function<bool(const Marks&)>& 
   return scene.target.Await(seen, kLongestPicture, what);
 }
 
+// The status first: of the two it is the one that is about to change.
 Result<void> ShootBoth(Scene& scene, const char* when) {
   for (int head = 1; head >= 0; --head) {
     const std::string file = fmt::format("status-{}.png", scene.finding.pictures.size());

@@ -9,9 +9,11 @@ namespace kaori::hil {
 
 // Stops with systemctl and starts again at the end, also where the check fails. Blocks while
 // systemd does it, two minutes at most.
+// One thread: that of the waiter.
 class PausedUnit {
  public:
-  // Borrows the scene.
+  // Borrows the scene. `unit` is a name as systemctl takes it: "kaori-stage.service". A unit that was not running is
+  // started all the same at the end.
   PausedUnit(Scene& scene, std::string unit) : scene_(scene), unit_(std::move(unit)) { Tell("stop"); }
   ~PausedUnit() { Tell("start"); }
   PausedUnit(const PausedUnit&) = delete;

@@ -89,7 +89,7 @@ Result<void> QemuDriver::Start() {
   const std::string shipped = setup_.disk_bus == DiskBus::kUsb ? OnUsb(*of_the_image) : *of_the_image;
   const std::string line =
       setup_.agent ? BenchCommandLine(shipped, BenchDisk(setup_)) + (setup_.bench_kernel ? kControllers : "")
-                   : LoggedCommandLine(shipped, options_.log_level);
+                   : LoggedCommandLine(options_, shipped);
   std::error_code ignored;
   for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp"})
     std::filesystem::remove(old, ignored);  // Of the machine before.

@@ -15,9 +15,7 @@ namespace {
 
 // Seven sockets of the rig, and one for unauthorised devices.
 constexpr int kUsbPorts = 8;
-// Debian's package ovmf.
-constexpr const char* kFirmware = "/usr/share/ovmf/OVMF.fd";
-// The same with Secure Boot, whose variables only it can write, in system management mode.
+// A PC's, with Secure Boot, whose variables only it can write, in system management mode.
 constexpr const char* kSecureFirmware = "/usr/share/OVMF/OVMF_CODE_4M.secboot.fd";
 
 // The value of the last word "name=value"; empty where there is none.
@@ -27,6 +25,10 @@ std::string WordOf(const std::string& line, const std::string& name) {
   for (std::string word; words >> word;)
     if (word.starts_with(name + "=")) value = word.substr(name.size() + 1);
   return value;
+}
+
+bool IsPc(const QemuOptions& options) {
+  return options.architecture == Architecture::kAmd64;
 }
 
 void Add(std::vector<std::string>& command, std::initializer_list<std::string> words) {
@@ -52,11 +54,16 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
 }
 
 // "disk" is the drive's name, whatever it is attached to.
-void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::string>& command) {
+void AddDisk(const QemuOptions& options, const Setup& setup, const std::string& disk,
+             std::vector<std::string>& command) {
   // "snapshot=on" writes to a temporary file: the image stays as it ships, whatever the guest does.
   Add(command, {"-drive", fmt::format("file={},if=none,id=disk,format=raw,{}", disk,
                                       setup.keeps_disk ? "cache=writethrough" : "snapshot=on")});
-  if (setup.disk_bus == DiskBus::kSata) return Add(command, {"-device", "ide-hd,drive=disk"});
+  if (setup.disk_bus == DiskBus::kSata) {
+    // A PC's chip set has its own.
+    if (!IsPc(options)) Add(command, {"-device", "ahci,id=ide"});
+    return Add(command, {"-device", IsPc(options) ? "ide-hd,drive=disk" : "ide-hd,drive=disk,bus=ide.0"});
+  }
   if (setup.disk_bus == DiskBus::kNvme) return Add(command, {"-device", "nvme,drive=disk,serial=1"});
   // A controller of its own, so that the rig's has its ports for itself.
   if (setup.disk_bus == DiskBus::kUsb)
@@ -67,7 +74,7 @@ void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::strin
   Add(command, {"-device", "virtio-blk-pci,drive=disk"});
 }
 
-// With a newer processor's instructions emulation is many times slower; the guest draws by itself.
+// The guest draws by itself.
 void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
   if (setup.counts_instructions)
     // With -icount an instruction takes 2^shift ns of the guest's time, and
@@ -76,8 +83,17 @@ void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<s
   else
     Add(command, {"-accel", "tcg,thread=multi"});
   constexpr int kStock_mib = 2048;
-  Add(command, {"-cpu", setup.stock ? "max" : "Nehalem", "-smp", setup.counts_instructions ? "1" : "2", "-m",
-                std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
+  const std::string_view usual = PlatformOf(options.architecture).processor;
+  Add(command,
+      {"-cpu", std::string(setup.stock ? "max" : usual), "-smp", setup.counts_instructions ? "1" : "2", "-m",
+       std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
+}
+
+// QEMU's chip set is strapped so that its watchdog resets nothing, unless it is told; where there is none, one on PCI serves.
+void AddWatchdog(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
+  if (!setup.watchdog_resets) return;
+  if (IsPc(options)) return Add(command, {"-global", "ICH9-LPC.noreboot=off"});
+  Add(command, {"-device", "i6300esb"});
 }
 
 // Two flash chips: the firmware, and what it keeps. Waking up from S3 is a way past it, which is shut.
@@ -93,8 +109,10 @@ void AddSecureFirmware(const Setup& setup, std::vector<std::string>& command) {
 void AddKernel(const QemuOptions& options, const Setup& setup, const std::string& command_line,
                std::vector<std::string>& command) {
   if (!setup.variables.empty()) return AddSecureFirmware(setup, command);
-  if (setup.firmware) return Add(command, {"-bios", kFirmware});
-  Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : ImageOf(options, setup) + "/bzImage"});
+  const Platform& platform = PlatformOf(options.architecture);
+  if (setup.firmware) return Add(command, {"-bios", std::string(platform.firmware)});
+  const std::string of_the_image = fmt::format("{}/{}", ImageOf(options, setup), platform.kernel);
+  Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : of_the_image});
   if (!setup.initramfs.empty()) Add(command, {"-initrd", setup.initramfs});
   Add(command, {"-append", command_line});
 }
@@ -161,15 +179,15 @@ std::string ConsolePath(const QemuOptions& options) {
   return options.folder + "/console.log";
 }
 
-std::string LoggedCommandLine(const std::string& of_the_image, int level) {
+std::string LoggedCommandLine(const QemuOptions& options, const std::string& of_the_image) {
   constexpr std::string_view kQuiet = " quiet loglevel=3";
   std::string line = of_the_image;
   // "quiet" would hide what the log is wanted for.
   if (const std::size_t at = line.find(kQuiet); at != std::string::npos) line.erase(at, kQuiet.size());
   return fmt::format(
-      "{} console=ttyS0 loglevel={} systemd.log_target=console systemd.journald.forward_to_console=1 "
+      "{} console={} loglevel={} systemd.log_target=console systemd.journald.forward_to_console=1 "
       "systemd.show_status=1",
-      line, level);
+      line, PlatformOf(options.architecture).serial, options.log_level);
 }
 
 Result<std::string> ReadCommandLine(const std::string& image) {
@@ -204,17 +222,19 @@ std::string BenchCommandLine(const std::string& of_the_image, const std::string&
 
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk) {
-  // q35 is a PC with PCI Express and ICH9; the name shows in its threads.
-  std::vector<std::string> command{"qemu-system-x86_64", "-M", setup.variables.empty() ? "q35" : "q35,smm=on",
-                                   "-name", "box,debug-threads=on"};
+  const Platform& platform = PlatformOf(options.architecture);
+  // Secure Boot is a PC's here, and wants system management mode.
+  const std::string machine = std::string(platform.machine) + (setup.variables.empty() ? "" : ",smm=on");
+  // The name shows in its threads.
+  std::vector<std::string> command{std::string(platform.qemu), "-M", machine, "-name",
+                                   "box,debug-threads=on"};
   Add(command, {"-no-reboot", "-vga", "none", "-net", "none"});
   AddProcessors(options, setup, command);
   AddKernel(options, setup, command_line, command);
-  AddDisk(setup, disk, command);
+  AddDisk(options, setup, disk, command);
   AddScreens(options, setup, command);
   Add(command, {"-qmp", fmt::format("unix:{}/qmp,server=on,wait=off", options.folder)});
-  // QEMU's chip set is strapped so that its watchdog resets nothing, unless it is told.
-  if (setup.watchdog_resets) Add(command, {"-global", "ICH9-LPC.noreboot=off"});
+  AddWatchdog(options, setup, command);
   if (!setup.agent) {
     Add(command, {"-serial", "file:" + ConsolePath(options)});
     if (setup.plugged)

@@ -6,13 +6,16 @@
 #include <vector>
 
 #include "drivers/base/result.h"
+#include "hw-sim/hil/architecture.h"
 #include "hw-sim/hil/setup.h"
 
 namespace kaori::hil {
 
 // What a machine is, for all of its runs; a Setup says what differs for one check.
 struct QemuOptions {
-  // The folder with bzImage, cmdline and kaori.disk; nothing in it is written.
+  // Of the image's programs and kernel.
+  Architecture architecture = Architecture::kAmd64;
+  // The folder with kernel, cmdline and kaori.disk; nothing in it is written.
   std::string image;
   // See tests/hil/bench_disk.
   std::string bench_disk{};
@@ -22,6 +25,8 @@ struct QemuOptions {
   std::string usual_image{};
   // With images of sticks: make_sticks of tests/hil/bench.sh.
   std::string sticks{};
+  // With the dial box's shipped image and the chip's emulator: tests/firmware/chip.py. Empty: there is none.
+  std::string chip{};
   // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
   std::string folder;
   // Of the screen, where the setup does not say otherwise.
@@ -49,9 +54,9 @@ std::string BenchDisk(const Setup& setup);
 // The kernel's command line as an image for USB has it: the kernel lets in what it finds there. Pure.
 std::string OnUsb(std::string line);
 
-// The same for a machine without an agent: kernel, systemd and journal write their log to the serial
-// line. `level` is the kernel's loglevel. Pure.
-std::string LoggedCommandLine(const std::string& of_the_image, int level = 6);
+// The same for a machine without an agent: kernel, systemd and journal write their log to the serial line, the kernel as
+// much as the options' log_level says. Pure.
+std::string LoggedCommandLine(const QemuOptions& options, const std::string& of_the_image);
 
 // The program and its arguments, for exec. `command_line` is the kernel's; `disk` is the
 // image's, or a copy of it. Reads no file. Pure.

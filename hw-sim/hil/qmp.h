@@ -18,6 +18,7 @@ class Qmp {
 
   // Does one command and waits for its answer, a minute at most. Errors: invalid_argument (QEMU's own
   // message), timed_out, no_such_device.
+  // Events that QEMU tells of meanwhile are read and dropped: the bench learns of a reset or a stop by the guest itself.
   Result<void> Do(const std::string& command, json::Object arguments = {});
 
  private:

@@ -84,6 +84,7 @@ Result<void> MergeFigures(const Report& report, const std::string& path) {
   if (!figures.is_object()) return FailInput(path + " is not a JSON object");
   for (const ReportedCheck& check : report.checks)
     for (const auto& [name, value] : check.finding.figures) figures[name] = value;
+  if (report.boot_s > 0) figures["first_frames_s"] = report.boot_s;
   return WriteWholeFile(path, {AsBytes(figures.dump(2) + "\n")});
 }
 

@@ -20,14 +20,6 @@ constexpr Duration kSamplingAnswer = seconds(600);
 constexpr Duration kLongestRounds = std::chrono::hours(1);
 constexpr double kLeastGain = 1.6, kMostMissed_percent = 0.5, kMostMissedLoaded_percent = 2;
 
-// The machine's time is that of its instructions: neighbours on this computer change nothing but how long the
-// check takes.
-const Setup kCounted{.plugged = false,
-                     .sound = false,
-                     .bench_kernel = true,
-                     .counts_instructions = true,
-                     .graphics = Graphics::kNone};
-
 // The screen is small and slow, and the show's first face a plain one drawn flat, so that drawing takes a
 // part of its period, as it does on a box.
 constexpr std::string_view kPlayRounds =
@@ -150,7 +142,7 @@ std::vector<Check> SamplingChecks() {
            "Input is sampled late, and no flip is missed",
            false,
            LateSampling,
-           kCounted,
+           CountedSetup(),
            {},
            EarlyIsRefused}};
 }

@@ -70,4 +70,14 @@ struct Setup {
   friend bool operator==(const Setup&, const Setup&) = default;
 };
 
+// A machine whose time is that of its instructions, with the bench's kernel, no device and no screen but that kernel's own:
+// neighbours on this computer change nothing but how long a check takes.
+inline Setup CountedSetup() {
+  return {.plugged = false,
+          .sound = false,
+          .bench_kernel = true,
+          .counts_instructions = true,
+          .graphics = Graphics::kNone};
+}
+
 }  // namespace kaori::hil

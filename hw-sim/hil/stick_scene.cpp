@@ -19,14 +19,17 @@ constexpr std::string_view kOntoStick = "onto the stick";
 
 }  // namespace
 
+// With a disk of its own what the box keeps outlives a restart; without one nothing of it does.
 Setup StickSetup(const std::string& disk) {
   return {.sound = false, .keeps_disk = !disk.empty(), .width_px = 480, .height_px = 270, .disk = disk};
 }
 
+// An agent that does not answer says nothing: whoever waits for a text asks again.
 std::string TextInBox(Scene& scene, const std::string& question) {
   return scene.target.agent().Ask(question, kStickAnswer).value_or("");
 }
 
+// A failure brings the end of the box's journal into the report: it says what the list alone does not.
 Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest) {
   std::string said;
   const auto says = [&] {
@@ -44,6 +47,7 @@ Result<void> Plug(Scene& scene, const char* stick) {
   return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick, false);
 }
 
+// A key that is pressed while the list changes is of the list before, or of none: it is pressed again, thrice at most.
 Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
   constexpr int kMostPresses = 3;
   Result<void> said;
@@ -60,6 +64,7 @@ Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
 
 Result<std::string> ChosenId(Scene& scene) {
   const std::string choice = TextInBox(scene, "read /var/lib/kaori/shows/choice.1");
+  // The file's lines are a word and a value each (appliance/core/store/choice.h).
   constexpr std::string_view kWord = "\ncurrent ";
   const std::size_t at = choice.find(kWord);
   if (at == std::string::npos) return FailInput("no show is chosen on the box");
@@ -67,6 +72,7 @@ Result<std::string> ChosenId(Scene& scene) {
   return choice.substr(begin, choice.find('\n', begin) - begin);
 }
 
+// The stage notes which show it plays before it draws; both are waited for, and a frame that was drawn since.
 Result<void> WantPlayed(Scene& scene, const std::string& id) {
   const auto noted = [&] {
     return TextInBox(scene, "read /run/kaori/plays").find("playing " + id) != std::string::npos;
@@ -81,6 +87,7 @@ Result<void> WantPlayed(Scene& scene, const std::string& id) {
   return {};
 }
 
+// Lines begin with the number of their key; the tenth has the key 0, which follows on 9 on a keyboard.
 Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words) {
   const std::string said = TextInBox(scene, kSaid);
   const std::size_t at = said.find(words);
@@ -116,6 +123,7 @@ Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name) {
   return stick;
 }
 
+// The stick has a show and the key that signed it, in that order of the list; the show is refused until its key is there.
 Result<void> BringKey(Scene& scene) {
   if (auto ok = Plug(scene, "evening.stick"); !ok) return ok;
   if (auto ok = WantStickSaid(scene, "> 1  evening  ", kLongestReading); !ok) return ok;

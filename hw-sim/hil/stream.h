@@ -18,11 +18,13 @@ class Stream {
   // on meanwhile. Errors: timed_out.
   static Result<Stream> Call(const std::string& path, Waiter& waiter, Duration longest);
 
+  // Readable when something came or the other end has gone; for Waiter::Until.
   int pollable() const { return socket_.get(); }
 
   // Reads what has arrived behind what waits, without waiting. False: the other end is
   // gone; what came before is still there.
   bool Read();
+  // All bytes that came and were not dropped, oldest first; they grow until somebody drops them.
   const std::string& waiting() const { return waiting_; }
   // Removes what was used, from the beginning.
   void Drop(std::size_t bytes) { waiting_.erase(0, bytes); }

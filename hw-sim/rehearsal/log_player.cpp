@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "appliance/core/showlog/replay.h"
-#include "appliance/programs/stage/logged_show.h"
+#include "appliance/programs/report/logged_show.h"
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/log.h"
 
@@ -90,7 +90,7 @@ Result<LogPlayed> PlayLog(const LogPlayOptions& options) {
   const auto log = showlog::LogFile::Read(options.log);
   if (!log) return tl::unexpected(log.error());
   for (const std::string& fault : log->faults()) LogWarning("{}", fault);
-  auto show = stage::LoadShowOfLog(options.pack, log->head(), options.own);
+  auto show = report::LoadShowOfLog(options.pack, log->head(), options.own);
   if (!show) return tl::unexpected(show.error());
   const Time begin = log->chunks().front().head.first;
   const auto from = options.at.empty() ? std::optional(begin) : log->AtDayTime(options.at);

@@ -2,7 +2,9 @@
 """Makes the box's root: what keep.txt names of Debian's packages, our programs, our own files, and every library
 that any of these links to, but for those of stand_ins.txt, which are replaced by empty ones.
 
-    assemble.py PACKAGES KEEP STAND_INS OVERLAY ROOT PROGRAM...
+    assemble.py ARCHITECTURE PACKAGES KEEP STAND_INS OVERLAY ROOT PROGRAM...
+
+What only one kind of processor has is in a file beside KEEP: keep-amd64.txt.
 """
 
 import fnmatch
@@ -13,11 +15,11 @@ import sys
 from pathlib import Path
 
 from debs import MERGED, merged
+import architectures
 import stand_in
 
-LIBRARIES = "usr/lib/x86_64-linux-gnu"
-# What the stage opens besides its libraries, in its order; then the show.
-OPENED = (f"{LIBRARIES}/libEGL_mesa.so.0", f"{LIBRARIES}/dri/swrast_dri.so")
+# What the stage opens besides its libraries, in its order, in their folder; then the show.
+OPENED = ("libEGL_mesa.so.0", "dri/swrast_dri.so")
 AHEAD = "usr/share/kaori/ahead"
 LARGE_BYTES = 8 << 20  # Of LLVM and of Mesa's drivers a third is looked at until the first picture.
 MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var/lib/kaori")
@@ -58,21 +60,21 @@ def needed(path):
                     for line in shown.splitlines() if "program interpreter" in line]
 
 
-def find_library(name, files):
+def find_library(name, files, arch):
     if name.startswith("/"):
         return merged(name.lstrip("/"))
-    for folder in (LIBRARIES, "usr/lib/x86_64-linux-gnu/systemd", "usr/lib64", "usr/lib"):
+    for folder in (arch.libraries, f"{arch.libraries}/systemd", "usr/lib64", "usr/lib"):
         if f"{folder}/{name}" in files:
             return f"{folder}/{name}"
     return sys.exit(f"no package has the library {name}")
 
 
-def with_libraries(names, programs, files, replaced):
+def with_libraries(names, programs, files, replaced, arch):
     """The names, and everything they link to but what is replaced; a link brings what it points to."""
     kept = set()
     waiting = list(names)
     for program in programs:
-        waiting += [find_library(name, files) for name in needed(program)]
+        waiting += [find_library(name, files, arch) for name in needed(program)]
     while waiting:
         name = waiting.pop()
         if name in kept:
@@ -85,7 +87,7 @@ def with_libraries(names, programs, files, replaced):
                 os.path.normpath(os.path.join(os.path.dirname(name), target))
             waiting.append(target)
         else:
-            waiting += [find_library(library, files) for library in needed(path) if library not in replaced]
+            waiting += [find_library(library, files, arch) for library in needed(path) if library not in replaced]
     return sorted(kept)
 
 
@@ -99,18 +101,18 @@ def linked(path):
     return [(0, code), *written]
 
 
-def write_ahead(stage, files, replaced, root):
+def write_ahead(stage, files, replaced, root, arch):
     """What the first program reads ahead for the stage: the programs that it loads, about in their order, and of large
     ones what the dynamic linker reads.
 
     Not the show: of that it looks at a small part only."""
-    waiting = [find_library(name, files) for name in needed(stage)] + list(OPENED)
+    waiting = [find_library(name, files, arch) for name in needed(stage)] + [f"{arch.libraries}/{name}" for name in OPENED]
     order = []
     while waiting:
         name = waiting.pop(0)
         if name not in order:
             order.append(name)
-            waiting += [find_library(library, files) for library in needed(files[name]) if library not in replaced]
+            waiting += [find_library(library, files, arch) for library in needed(files[name]) if library not in replaced]
     target = root / AHEAD
     target.parent.mkdir(parents=True, exist_ok=True)
     parts = [f"/usr/bin/{Path(stage).name}\n"]
@@ -138,23 +140,24 @@ def copy(names, files, root):
             copies[state.st_ino] = target
 
 
-def replace(replaced, kept, files, root):
+def replace(replaced, kept, files, root, arch):
     for name in replaced:
         users = [files[user] for user in kept if not os.path.islink(files[user]) and name in needed(files[user])]
-        stand_in.make(files[find_library(name, files)], users, root / LIBRARIES / name)
+        stand_in.make(files[find_library(name, files, arch)], users, root / arch.libraries / name, arch)
 
 
-def install(programs, root):
+def install(programs, root, arch):
     for program in programs:
         target = root / "usr/bin" / Path(program).name
         target.parent.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["strip", "-o", target, program], check=True)
+        subprocess.run([arch.tool("strip"), "-o", target, program], check=True)
         target.chmod(0o755)
 
 
 def main():
-    packages, keep, stand_ins, overlay, root, *programs = sys.argv[1:]
-    root = Path(root)
+    processor, packages, keep, stand_ins, overlay, root, *programs = sys.argv[1:]
+    arch, root = architectures.NAMED[processor], Path(root)
+    keeps = (keep, Path(keep).with_name(f"keep-{arch.name}.txt"))
     files = index(packages)
     shutil.rmtree(root, ignore_errors=True)
     for name in MOUNT_POINTS:
@@ -163,11 +166,12 @@ def main():
         (root / name).symlink_to(f"usr/{name}")
         (root / "usr" / name).mkdir(parents=True, exist_ok=True)
     replaced = lines_of(stand_ins)
-    kept = with_libraries(chosen(keep, files), programs, files, replaced)
+    names = [name for file in keeps for name in chosen(file, files)]
+    kept = with_libraries(names, programs, files, replaced, arch)
     copy(kept, files, root)
-    replace(replaced, kept, files, root)
-    install(programs, root)
-    write_ahead(next(program for program in programs if program.endswith("/kaori-stage")), files, replaced, root)
+    replace(replaced, kept, files, root, arch)
+    install(programs, root, arch)
+    write_ahead(next(program for program in programs if program.endswith("/kaori-stage")), files, replaced, root, arch)
     shutil.copytree(overlay, root, symlinks=True, dirs_exist_ok=True)
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import fat
 import secure_boot
+from architectures import PC
 
 MIB = 1 << 20
 SECTION_ALIGNED = 0x1000
@@ -35,10 +36,10 @@ def run(*command):
     return subprocess.run([str(c) for c in command], check=True, capture_output=True, text=True).stdout
 
 
-def free_address(stub):
+def free_address(stub, arch):
     """Behind everything that the stub has."""
     ends = [0]
-    for line in run("objdump", "-h", stub).splitlines():
+    for line in run(arch.tool("objdump"), "-h", stub).splitlines():
         fields = line.split()
         if len(fields) == 7 and fields[0].isdigit():
             ends.append(int(fields[2], 16) + int(fields[3], 16))
@@ -55,30 +56,30 @@ def forget_time(program):
             file.write(bytes(4))
 
 
-def add_sections(stub, sections, target):
+def add_sections(stub, sections, target, arch):
     """The stub with files as sections behind its own, in their order."""
-    address, options = free_address(stub), []
+    address, options = free_address(stub, arch), []
     for name, path in sections:
         address = -(-address // SECTION_ALIGNED) * SECTION_ALIGNED
         options += ["--add-section", f"{name}={path}", "--change-section-vma", f"{name}={address:#x}"]
         address += path.stat().st_size
-    run("objcopy", *options, stub, target)
+    run(arch.tool("objcopy"), *options, stub, target)
 
 
-def make_unified(stub, parts, target, size=KERNEL_BYTES):
+def make_unified(stub, parts, target, size=KERNEL_BYTES, arch=PC):
     """The kernel in an EFI program of that size; `parts` are its sections as (name, file), without the kernel's own, which is the last.
 
     A section of zeros before the kernel brings it to that size: the kernel's own is the last, since it may unpack itself behind its end."""
     padding = target.with_name("padding")
     sections = (*parts[:-1], (".pad", padding), parts[-1])
     padding.write_bytes(bytes(fat.SECTOR))
-    add_sections(stub, sections, target)
+    add_sections(stub, sections, target, arch)
     missing = size - target.stat().st_size
     if missing < 0:
         sys.exit(f"image: the kernel with all that goes with it has {target.stat().st_size} bytes; a slot has room for {size}")
     with open(padding, "r+b") as file:
         file.truncate(fat.SECTOR + missing // fat.SECTOR * fat.SECTOR)
-    add_sections(stub, sections, target)
+    add_sections(stub, sections, target, arch)
     padding.unlink()
     forget_time(target)
     with open(target, "r+b") as file:
@@ -112,7 +113,7 @@ def in_one_piece(sectors, size):
         sectors == list(range(sectors[0], sectors[0] + KERNEL_BYTES // fat.SECTOR))
 
 
-def lay_out(image, files, size_mib):
+def lay_out(image, files, size_mib, arch=PC):
     """Makes the partition of a folder's files, the kernels first, and looks where they came to lie."""
     folders = [folder for folder in (*FOLDERS, *KEYS_FOLDERS) if (files / folder).is_dir()]
     make_empty(image, size_mib, len(folders))
@@ -120,7 +121,7 @@ def lay_out(image, files, size_mib):
         run("mmd", "-i", image, f"::/{folder}")
     kernels = [f"EFI/Linux/kaori-{slot}.efi" for slot in SLOTS]
     keys = sorted(str(path.relative_to(files)) for path in (files / KEYS_FOLDERS[-1]).glob("*"))
-    for path in (*kernels, "EFI/BOOT/BOOTX64.EFI", "loader/loader.conf", *keys):
+    for path in (*kernels, f"EFI/BOOT/{arch.loader}", "loader/loader.conf", *keys):
         run("mcopy", "-m", "-i", image, files / path, f"::/{path}")
     with open(image, "rb") as file:
         for path in kernels:
@@ -131,16 +132,16 @@ def lay_out(image, files, size_mib):
             sys.exit("image: loader.conf does not fill one sector of the partition boot")
 
 
-def make_files(out, packages, files, keys):
+def make_files(out, packages, files, keys, arch):
     """What lies on the partition, into the folder `files`; signed, and with what a PC enrols, where there are keys."""
     for folder in FOLDERS:
         (files / folder).mkdir(parents=True)
-    loader, stub = files / "EFI/BOOT/BOOTX64.EFI", packages / LOADERS / "linuxx64.efi.stub"
-    shutil.copyfile(packages / LOADERS / "systemd-bootx64.efi", loader)
+    loader, stub = files / "EFI/BOOT" / arch.loader, packages / LOADERS / f"linux{arch.efi}.efi.stub"
+    shutil.copyfile(packages / LOADERS / f"systemd-boot{arch.efi}.efi", loader)
     room = secure_boot.signature_bytes(loader, keys) if keys else 0
     for slot in SLOTS:
         target = files / f"EFI/Linux/kaori-{slot}.efi"
-        make_unified(stub, sections_of(out, slot), target, KERNEL_BYTES - room)
+        make_unified(stub, sections_of(out, slot, arch), target, KERNEL_BYTES - room, arch)
         if keys:
             secure_boot.sign(target, keys)
     (files / "loader/loader.conf").write_text(settings(SLOTS[0], bool(keys)))
@@ -151,25 +152,25 @@ def make_files(out, packages, files, keys):
             shutil.copyfile(keys / name, files / KEYS_FOLDERS[-1] / name)
 
 
-def sections_of(out, slot):
+def sections_of(out, slot, arch):
     """Of a slot's program, the kernel last; with the initramfs in OUT, where there is one."""
     initramfs = out / INITRAMFS
     with_files = ((".initrd", initramfs),) if initramfs.is_file() else ()
-    return ((".osrel", out / "root/etc/os-release"), (".cmdline", out / command_line_name(slot)), *with_files, (".linux", out / "bzImage"))
+    return ((".osrel", out / "root/etc/os-release"), (".cmdline", out / command_line_name(slot)), *with_files, (".linux", out / arch.kernel_file))
 
 
-def make(out, packages, size_mib, keys=None):
+def make(out, packages, size_mib, keys=None, arch=PC):
     """OUT/boot.vfat, from the kernel in OUT and the command lines of both slots; slot a starts by itself.
 
     `keys` is a folder of secure_boot.py's, with which loader and kernels are signed."""
     files = out / "boot"
     shutil.rmtree(files, ignore_errors=True)
-    make_files(out, Path(packages), files, keys)
+    make_files(out, Path(packages), files, keys, arch)
     date = int(os.environ["SOURCE_DATE_EPOCH"])
     for path in sorted(files.rglob("*"), reverse=True):
         os.utime(path, (date, date))
     image = out / "boot.vfat"
-    lay_out(image, files, size_mib)
+    lay_out(image, files, size_mib, arch)
     return image
 
 

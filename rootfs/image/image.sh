@@ -9,6 +9,7 @@ readonly SECURE_BOOT_KEYS=out/keys/secure-boot
 readonly UPDATE_KEYS=$KEYS/update  # Of updates of the box: -1.key signs, -2.key waits for the day on which that is lost.
 readonly LISTS_RENEWED=out/image/packages.asked
 readonly BOOT_PACKAGES=(qemu-system-x86 python3)
+readonly ARM64_BOOT_PACKAGES=(qemu-system-arm qemu-efi-aarch64)
 
 # Lets apt ask its servers for newer versions: renew_lists [SUDO_OPTION]. Without a network, or where only root may and nobody
 # is asked (sudo -n), what apt knows stays as it is, and that is said.
@@ -78,27 +79,44 @@ bundle() {
     fail "no update was made; the reason stands above"
 }
 
+# The folder with the image for a processor, by Debian's name of it.
+image_folder() {
+  [ "$1" = amd64 ] && echo out/image || echo "out/image-$1"
+}
+
+# Builds the programs of an image, and those that make it, where it names none: build_programs ARCH
+build_programs() {
+  if [ "$1" = amd64 ]; then build release programs kaori-bench; return; fi
+  need "${CROSS_PACKAGES[@]}"
+  make_sysroot
+  build release kaori-atelier kaori-bench
+  build arm64 programs
+}
+
 # shellcheck disable=SC2120  # ./box gives it its words.
 image() {
-  local out=out/image programs='' disk='' pack='' firmware='' trust='' value stale='' option
-  local medium='' graphics='' gpu_firmware='' secure_boot='' version=''
+  local arch=amd64 out='' programs='' disk='' pack='' firmware='' trust='' value stale='' option
+  local medium='' graphics='' gpu_firmware='' secure_boot='' version='' tools=$BIN sysroot=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --stale ]; then stale=yes; shift; continue; fi
-    [[ $1 =~ ^--(out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot|version)$ ]] || fail "image knows no $1; see ./box help"
+    [[ $1 =~ ^--(arch|out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot|version)$ ]] || fail "image knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
-    [[ $1 =~ ^--(disk|medium|graphics|version)$ ]] || value=$(from_caller "$2")
+    [[ $1 =~ ^--(arch|disk|medium|graphics|version)$ ]] || value=$(from_caller "$2")
     option=${1#--}
     local "${option//-/_}=$value"
     shift 2
   done
+  [[ $arch =~ ^(amd64|arm64)$ ]] || fail "image --arch takes amd64 or arm64, not $arch"
+  [ -n "$out" ] || out=$(image_folder "$arch")
   if [ -n "$stale" ]; then
     [ -z "$programs$disk$pack$firmware$trust$medium$graphics$gpu_firmware$secure_boot$version" ] ||
-      fail "image --stale looks at an image and builds none; it takes --out alone"
+      fail "image --stale looks at an image and builds none; it takes --arch and --out alone"
     name_stale "$out"
   fi
   [[ $medium =~ ^(usb|disk)?$ ]] || fail "image --medium takes usb or disk, not $medium"
   [[ $graphics =~ ^(intel|amd|all)?$ ]] || fail "image --graphics takes intel, amd or all, not $graphics"
+  [ "$arch" = amd64 ] || [ -z "$graphics$secure_boot" ] || fail "image --graphics and --secure-boot are for PCs, not for $arch"
   [ -z "$secure_boot" ] || [ -f "$secure_boot/db.key" ] || fail "there are no keys in $secure_boot; ./box keys makes them"
   [ -z "$pack" ] || is_show "$pack"
   [ -n "$trust" ] || [ ! -f $COMPANY.pub ] || trust=$COMPANY.pub
@@ -107,10 +125,14 @@ image() {
   [ -z "$secure_boot" ] || need "${KEYS_PACKAGES[@]}"
   # Security updates reach an image by apt's lists; those of yesterday are renewed.
   [ -n "$(find $LISTS_RENEWED -mtime -1 2>/dev/null)" ] || renew_lists -n
-  [ -n "$programs" ] || build release programs kaori-bench
+  [ "$arch" = amd64 ] || need "${ARM64_BOOT_PACKAGES[@]}"
+  [ -n "$programs" ] || build_programs "$arch"
   [ -z "$pack" ] || choose_pack "$pack"
   make_update_keys
-  rootfs/image/build --out "$out" --programs "${programs:-$BIN}" --kept out/image ${disk:+--disk "$disk"} \
+  # An image for this machine's own processor is made by programs of its own build.
+  if [ "$arch" = amd64 ]; then tools=${programs:-$BIN}; else sysroot=$SYSROOT; fi
+  [ -n "$programs" ] || { [ "$arch" = amd64 ] && programs=$BIN || programs=out/build/$arch/bin; }
+  rootfs/image/build --arch "$arch" --out "$out" --programs "$programs" --tools "$tools" --kept out/image ${sysroot:+--sysroot "$sysroot"} ${disk:+--disk "$disk"} \
     ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ${trust:+--trust "$trust"} ${medium:+--medium "$medium"} \
     --update-key "$UPDATE_KEYS-1.key.pub" --update-key "$UPDATE_KEYS-2.key.pub" ${version:+--version "$version"} \
     ${graphics:+--graphics "$graphics"} ${gpu_firmware:+--gpu-firmware "$gpu_firmware"} ${secure_boot:+--secure-boot "$secure_boot"} ||
@@ -119,9 +141,10 @@ image() {
 
 boot() {
   local -a options=()
-  local folder=out/image
+  local folder='' arch=amd64
   while [ $# -gt 0 ]; do
     case $1 in
+      --arch) arch=${2:-} ;;
       --image) folder=$(from_caller "${2:-}") ;;
       --shot) options+=(--shot "$(from_caller "${2:-}")") ;;
       --size | --memory) options+=("$1" "${2:-}") ;;
@@ -131,9 +154,12 @@ boot() {
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     shift 2
   done
-  [ "$folder" = out/image ] || [ -f "$folder/kaori.disk" ] || fail "there is no image in $folder"
+  [[ $arch =~ ^(amd64|arm64)$ ]] || fail "boot --arch takes amd64 or arm64, not $arch"
+  [ -z "$folder" ] || [ -f "$folder/kaori.disk" ] || fail "there is no image in $folder"
+  [ -n "$folder" ] || folder=$(image_folder "$arch")
   need "${BUILD_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
-  [ -f "$folder/kaori.disk" ] || image
+  [ "$arch" = amd64 ] || need "${ARM64_BOOT_PACKAGES[@]}"
+  [ -f "$folder/kaori.disk" ] || image --arch "$arch"
   build release kaori-bench
-  exec $BIN/kaori-bench --boot --size 960x540 --image "$folder" "${options[@]}"
+  exec $BIN/kaori-bench --boot --arch "$arch" --size 960x540 --image "$folder" "${options[@]}"
 }

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, OUT/cmdline-b, and a report of sizes.
 
-    pack.py OUT PACKAGES REPORT.json [DISK_MIB] [--unweighed] [--medium usb] [--secure-boot KEYS]
+    pack.py OUT PACKAGES REPORT.json [DISK_MIB] [--unweighed] [--medium usb] [--secure-boot KEYS] [--arch NAME]
 
 The data partition gets what the others leave of the disk. Unweighed: nobody asks what a download weighs, which takes as
-long as all the rest. Medium usb: an image that starts from a stick too. KEYS: a folder of secure_boot.py's, which signs.
+long as all the rest. Medium usb: an image that starts from a stick too. KEYS: a folder of secure_boot.py's, which signs. NAME is the
+processor (architectures.py): amd64, where none is said.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import architectures
 import esp
 
 MIB = 1 << 20
@@ -158,23 +160,24 @@ def arguments():
     parser.add_argument(UNWEIGHED, action="store_true")
     parser.add_argument("--medium", choices=(DISK, USB), default=DISK)
     parser.add_argument("--secure-boot", type=Path)
+    parser.add_argument("--arch", choices=architectures.NAMED, default=architectures.PC.name)
     return parser.parse_args()
 
 
 def main():
     args = arguments()
-    out = args.out
+    out, arch = args.out, architectures.NAMED[args.arch]
     layout = laid_out(args.disk_mib)
     sizes_mib = {name: size for name, size, _, _ in layout}
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
     for slot in esp.SLOTS:
         (out / esp.command_line_name(slot)).write_text(command_line(image, root_hash, slot, args.medium) + "\n")
-    boot = esp.make(out, args.packages, sizes_mib["boot"], args.secure_boot)
+    boot = esp.make(out, args.packages, sizes_mib["boot"], args.secure_boot, arch)
     data = make_data(out, sizes_mib["data"])
     write_disk(out, layout, {"boot": boot, "data": data, **{f"root-{slot}": image for slot in esp.SLOTS},
                             **{f"verity-{slot}": tree for slot in esp.SLOTS}})
-    kernel = out / "bzImage"
+    kernel = out / arch.kernel_file
     in_mb = {"kernel": kernel.stat().st_size, "root": image.stat().st_size, "verity": tree.stat().st_size,
              "unpacked": folder_bytes(out / "root"),
              "graphics": sum(f.stat().st_size for f in (out / "root").rglob("libLLVM*") if not f.is_symlink())
@@ -182,7 +185,8 @@ def main():
              "show": (out / "root/usr/share/kaori/kaori.kaori").stat().st_size}
     if (out / esp.INITRAMFS).is_file():
         in_mb["gpu_firmware"] = (out / esp.INITRAMFS).stat().st_size
-    report = {"root_hash": root_hash, "signed": bool(args.secure_boot), "medium": args.medium, "parts_mb": {name: round(size / 1e6, 1) for name, size in in_mb.items()}}
+    report = {"root_hash": root_hash, "signed": bool(args.secure_boot), "medium": args.medium, "arch": arch.name,
+              "parts_mb": {name: round(size / 1e6, 1) for name, size in in_mb.items()}}
     if not args.unweighed:
         report["compressed_mb"] = round(compressed_bytes(kernel, image, tree) / 1e6, 1)
     args.report.write_text(json.dumps(report, indent=2) + "\n")

@@ -1,8 +1,9 @@
 #!/usr/bin/env -S python3 -B
 """Writes down what is in an image, in SPDX 2.3 and CycloneDX 1.5, with the texts of its licences.
 
-    sbom.py OUT PACKAGES OVERLAY STAND_INS PROGRAMS REPORT.json
+    sbom.py ARCHITECTURE OUT PACKAGES OVERLAY STAND_INS PROGRAMS REPORT.json [SYSROOT]
 
+SYSROOT is the folder with the packages that were compiled into programs for another processor; without it they are this machine's.
 Every file and link of OUT/root and of OUT/boot, the partition from which a PC starts, belongs to one of: a package of Debian's
 (name, version, source, licence), this project, a stand-in for a library, the show, or what the build made. Where one does not,
 or is not what its package has, it is named, and nothing is written.
@@ -17,6 +18,7 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
+import architectures
 import cyclonedx
 import debs
 import licences
@@ -31,8 +33,7 @@ SHARED = "usr/share/kaori"
 MADE = (f"{SHARED}/ahead", f"{SHARED}/shaders", f"{BOOT}/EFI/Linux/kaori-")
 SHOW = (f"{SHARED}/kaori.kaori", f"{SHARED}/still.ppm")
 OWN = (f"{SHARED}/surfaces/", f"{SHARED}/firmware/", f"{BOOT}/loader/")
-LOADER = (f"{BOOT}/EFI/BOOT/BOOTX64.EFI", "usr/lib/systemd/boot/efi/systemd-bootx64.efi")
-LIBRARIES = "usr/lib/x86_64-linux-gnu"
+LOADERS = "usr/lib/systemd/boot/efi"  # In Debian's package.
 KEYS = (f"{SHARED}/keys/", f"{SHARED}/update-keys/", f"{BOOT}/loader/keys/")
 GPU_FIRMWARE = "usr/lib/firmware/"
 
@@ -59,13 +60,15 @@ class Part(NamedTuple):
 
 
 class Places(NamedTuple):
-    """Where an image and what it was made of lie."""
+    """Where an image and what it was made of lie, and for which processor."""
 
+    arch: architectures.Architecture
     out: Path
     packages: Path
     overlay: Path
     stand_ins: tuple
     programs: Path
+    sysroot: Path | None
 
 
 def digest(path, kind):
@@ -97,9 +100,10 @@ def in_package(places, path):
 def owner(places, owners, path):
     """Which part a file of the image belongs to; None where nothing is known of it, or it is not what it should be."""
     here = places.out / path if path.startswith(f"{BOOT}/") else places.out / "root" / path
-    if path == LOADER[0]:
-        unsigned = places.packages / LOADER[1]
-        return owners.get(LOADER[1]) if is_same(here, unsigned) or secure_boot.is_signed(here, unsigned) else None
+    if path == f"{BOOT}/EFI/BOOT/{places.arch.loader}":
+        loader = f"{LOADERS}/systemd-boot{places.arch.efi}.efi"
+        unsigned = places.packages / loader
+        return owners.get(loader) if is_same(here, unsigned) or secure_boot.is_signed(here, unsigned) else None
     if path.startswith(MADE) or path in debs.MERGED:
         return "made"
     if path in SHOW:
@@ -112,7 +116,7 @@ def owner(places, owners, path):
         return "own" if is_same(here, places.overlay / path) else None
     if path.startswith(OWN) or os.path.dirname(path) == "usr/bin" and (places.programs / os.path.basename(path)).is_file():
         return "own"
-    if os.path.dirname(path) == LIBRARIES and os.path.basename(path) in places.stand_ins:
+    if os.path.dirname(path) == places.arch.libraries and os.path.basename(path) in places.stand_ins:
         return "stand-ins"
     unpacked = in_package(places, path)
     return owners.get(path) if unpacked and is_same(here, unpacked) else None
@@ -175,11 +179,18 @@ def of_debian(package, text, files, texts):
     return Part(package.name, package.version, what, known.expression, "Organization: Debian", package, files, linked)
 
 
+def compiled_into(places):
+    """Name -> package: of the sysroot, and of this machine what that has not, such as the kernel's source."""
+    names = stale.lines_of(stale.COMPILED_IN)
+    unpacked = debs.unpacked(places.sysroot) if places.sysroot else {}
+    return {**debs.installed(names), **{name: package for name, package in unpacked.items() if name in names}}
+
+
 def parts_of(places, packages, found):
     """(all parts of the image in order, texts of references, {text of a copyright file: whose})."""
     parts, texts, copyrights = list(of_project(places, found)), {}, {}
     shipped = [(packages[name], places.packages, found[name]) for name in sorted(set(found) & set(packages))]
-    compiled_in = debs.installed(stale.lines_of(stale.COMPILED_IN))
+    compiled_in = compiled_into(places)
     linked = [(package, Path("/"), []) for _, package in sorted(compiled_in.items())]
     for package, folder, files in shipped + linked:
         text = copyright_of(folder, package)
@@ -201,8 +212,9 @@ def licence_page(copyrights):
 
 
 def main():
-    out, packages_folder, overlay, stand_ins, programs, report_file = (Path(word) for word in sys.argv[1:])
-    places = Places(out, packages_folder, overlay, tuple(stale.lines_of(stand_ins)), programs)
+    out, packages_folder, overlay, stand_ins, programs, report_file, *sysroot = (Path(word) for word in sys.argv[2:])
+    places = Places(architectures.NAMED[sys.argv[1]], out, packages_folder, overlay, tuple(stale.lines_of(stand_ins)), programs,
+                    sysroot[0] if sysroot else None)
     packages = debs.unpacked(packages_folder)
     found, unmatched = sorted_out(places, packages)
     if unmatched:

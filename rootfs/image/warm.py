@@ -1,5 +1,5 @@
 #!/usr/bin/env -S python3 -B
-"""Lets the stage compile its shaders once, in QEMU, and keeps them, and the picture of the first face: warm.py OUT
+"""Lets the stage compile its shaders once, in QEMU, and keeps them, and the picture of the first face: warm.py ARCHITECTURE OUT
 PACKAGES BENCH. Results: OUT/shaders/*.foz, shaders.known and still.ppm
 
 BENCH is the program kaori-bench. Starts a copy of the image that writes both to its data partition, and waits until every drawing of the show was rehearsed.
@@ -17,6 +17,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import architectures
 import pack
 import shader_store
 
@@ -37,9 +38,9 @@ def stamp(out, packages):
     return hashed.hexdigest()
 
 
-def writing_copy(out, packages, folder):
+def writing_copy(out, packages, folder, arch):
     """The image, but for what the stage is told, and without other programs."""
-    subprocess.run(["cp", "-a", out / "root", out / "bzImage", folder], check=True)
+    subprocess.run(["cp", "-a", out / "root", out / arch.kernel_file, folder], check=True)
     start = next(line for line in (folder / "root" / UNIT).read_text().splitlines() if line.startswith("ExecStart="))
     for other in (folder / "root" / WANTED).iterdir():
         if other.name != Path(UNIT).name:
@@ -49,13 +50,13 @@ def writing_copy(out, packages, folder):
     told = folder / "root/etc/systemd/system" / f"{Path(UNIT).name}.d" / "warm.conf"
     told.parent.mkdir(parents=True, exist_ok=True)
     told.write_text("\n".join(words) + "\n")
-    packing = (Path(__file__).with_name("pack.py"), folder, packages, folder / "image.json", pack.UNWEIGHED)
+    packing = (Path(__file__).with_name("pack.py"), folder, packages, folder / "image.json", pack.UNWEIGHED, "--arch", arch.name)
     subprocess.run(packing, check=True)
 
 
-def started(folder, bench):
+def started(folder, bench, arch):
     """QEMU, with the command line that kaori-bench has for all machines; what is said goes into FOLDER/console.log."""
-    command = subprocess.run([bench, "--image", folder, "--command", folder, "--keep-disk"], check=True, capture_output=True,
+    command = subprocess.run([bench, "--arch", arch.name, "--image", folder, "--command", folder, "--keep-disk"], check=True, capture_output=True,
                              text=True).stdout.splitlines()
     line = command.index("-append") + 1
     command[line] += " " + TOLD
@@ -82,10 +83,10 @@ def written(folder):
     return still, store, "".join(f"{line}\n" for line in (place.relative_to(own), *(name.hex() for name in names)))
 
 
-def play(folder, bench):
+def play(folder, bench, arch):
     """Until nothing more is written; what there is then."""
     alike, last, until = 0, None, time.monotonic() + LONGEST_S
-    with started(folder, bench) as machine:
+    with started(folder, bench, arch) as machine:
         while machine.poll() is None and time.monotonic() < until and alike < LOOKS_ALIKE:
             time.sleep(LOOK_S)
             said = (folder / "console.log").read_text(errors="replace") if (folder / "console.log").exists() else ""
@@ -102,16 +103,16 @@ def play(folder, bench):
 
 
 def main():
-    out = Path(sys.argv[1])
-    packages = Path(sys.argv[2])
+    arch = architectures.NAMED[sys.argv[1]]
+    out, packages, bench = Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4]
     shaders, wanted = out / "shaders", stamp(out, packages)
     if (shaders / "stamp").exists() and (shaders / "stamp").read_text() == wanted:
         return
     shutil.rmtree(shaders, ignore_errors=True)
     shaders.mkdir()
     with tempfile.TemporaryDirectory(dir=out) as folder:
-        writing_copy(out, packages, Path(folder))
-        still, store, known = play(Path(folder), sys.argv[3])
+        writing_copy(out, packages, Path(folder), arch)
+        still, store, known = play(Path(folder), bench, arch)
     store, index = shader_store.in_order(store)
     for name, content in ((STILL, still), ("shaders.foz", store), ("shaders_idx.foz", index), ("shaders.known", known.encode())):
         (shaders / name).write_bytes(content)

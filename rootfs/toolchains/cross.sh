@@ -1,15 +1,17 @@
 # shellcheck shell=bash
 # ./box cross and ./box test --arm64: the box for 64-bit ARM, built with Debian's cross compiler. Read by ./box.
 
-readonly CROSS_PACKAGES=(g++-aarch64-linux-gnu mmdebstrap)
+readonly CROSS_PACKAGES=(g++-aarch64-linux-gnu gcc-aarch64-linux-gnu binutils-aarch64-linux-gnu mmdebstrap)
 readonly CROSS_TEST_PACKAGES=(qemu-user-static kas python3)
 readonly LAYER_MODULES=(language-server-bitbake@2.10.0 web-tree-sitter@0.20.8)  # The grammar of recipes.
+# What looks at devices in a machine on the bench: programs of that processor, from the same folder (tests/hil/bench_disk).
+readonly GUEST_PACKAGES=(evtest v4l-utils gpiod alsa-utils usbutils coreutils)
 readonly SYSROOT=out/cross/arm64/sysroot
 readonly CROSS_RELEASE=bookworm
 
 # The build packages that a compiler for another processor reads, and what their programs need to run.
 sysroot_packages() {
-  printf '%s\n' libc6-dev libstdc++-12-dev "${BUILD_PACKAGES[@]}" | grep -E '^lib|-dev$' | sort -u
+  { printf '%s\n' libc6-dev libstdc++-12-dev "${BUILD_PACKAGES[@]}" | grep -E '^lib|-dev$'; printf '%s\n' "${GUEST_PACKAGES[@]}"; } | sort -u
 }
 
 # Runs a command whose words go to a log, and says every ten seconds that it still runs: wait_for WHAT LOG COMMAND...
@@ -34,7 +36,7 @@ mend_links() {
 }
 
 # Debian's build packages of arm64, unpacked and never installed: no script of theirs runs, and this machine's packages stay as
-# they are. Made anew when the list changes.
+# they are. Made anew when the list changes. What they are is written down, for the list of what an image has compiled in.
 make_sysroot() {
   local list stamp new=$SYSROOT.new
   local -a sources
@@ -50,7 +52,7 @@ make_sysroot() {
   rm -rf $SYSROOT $SYSROOT.stamp "$new" "$new.tar"
   mkdir -p "$new"
   wait_for fetching $LOGS/sysroot.log mmdebstrap --quiet --variant=extract --architectures=arm64 --include="$list" \
-    --aptopt='APT::Install-Recommends false' $CROSS_RELEASE "$new.tar" "${sources[@]}" ||
+    --aptopt='APT::Install-Recommends false' --extract-hook=rootfs/image/keep_control $CROSS_RELEASE "$new.tar" "${sources[@]}" ||
     { tail -n 20 $LOGS/sysroot.log >&2; fail "the packages could not be fetched; see $LOGS/sysroot.log"; }
   tar -C "$new" --no-same-owner --exclude='./dev/*' --exclude=./usr/share/{doc,man,locale} -xf "$new.tar"
   rm "$new.tar"

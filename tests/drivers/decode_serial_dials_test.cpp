@@ -135,6 +135,34 @@ TEST(SerialSession, ABoxThatDoesNotAnswerIsSilentAfterASecondAndAskedAgain) {
   EXPECT_EQ(session.state(), SerialDialSession::State::kReady);
 }
 
+// The first answer took longer than a second, so that the box was asked again; that question reset it once more, after it had
+// been told to report.
+TEST(SerialSession, ABoxThatAnswersAQuestionTwiceIsStartedTwiceAndNoDialJumps) {
+  SerialDialSession session(SerialBox::kSgi, kPerTurn);
+  session.Due(At(0));
+  session.Due(At(1000));
+  session.Accept(0x20, At(1050));
+  EXPECT_EQ(session.Due(At(1051)).size(), 23U);
+  for (const std::uint8_t byte : std::to_array<std::uint8_t>({0x32, 0x00, 0x20}))
+    session.Accept(byte, At(1100));
+  session.Accept(0x20, At(1350));
+  EXPECT_EQ(session.Due(At(1351)).size(), 23U) << "it was reset, and reports nothing until it is told to";
+  EXPECT_EQ(session.state(), SerialDialSession::State::kReady);
+  for (const std::uint8_t byte : std::to_array<std::uint8_t>({0x32, 0x00, 0x01}))
+    session.Accept(byte, At(1400));
+  EXPECT_EQ(session.decoder().counts()[2], 0) << "where it stands after a reset is no turn";
+}
+
+TEST(SerialSession, TheByteOfAnAnswerWithinAMessageIsData) {
+  SerialDialSession session(SerialBox::kSgi, kPerTurn);
+  session.Due(At(0));
+  session.Accept(0x20, At(300));
+  session.Due(At(301));
+  for (const std::uint8_t byte : std::to_array<std::uint8_t>({0x30, 0x20, 0x20, 0x20}))
+    session.Accept(byte, At(400));
+  EXPECT_THAT(session.Due(At(401)), ElementsAre());
+}
+
 TEST(SerialSession, ADls80IsReadyAtOnceAndHasNoLamps) {
   SerialDialSession session(SerialBox::kDls80, kPerTurn);
   EXPECT_THAT(session.Due(At(0)), ElementsAre());

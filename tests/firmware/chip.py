@@ -2,6 +2,7 @@
 """Builds the firmware for the chip, and proves it without one.
 
 Usage: chip.py ROOT FOLDER emulator     brings rp2040js, and runs chip_test.mjs over the image as it is shipped
+       chip.py ROOT FOLDER bring        lays the shipped images and rp2040js into FOLDER, for kaori-bench --chip
        chip.py ROOT FOLDER qemu         runs the proofs of the core on the Cortex-M0 and the Cortex-M3 of QEMU
 
 FOLDER is for what is built. Exits 77, which ctest calls a skip, where a tool is missing; says which.
@@ -15,7 +16,7 @@ import sys
 SKIP = 77
 RP2040JS = "rp2040js@1.4.1"
 BUILDING = {"arm-none-eabi-g++": "gcc-arm-none-eabi", "ninja": "ninja-build"}
-TOOLS = {"emulator": {"node": "nodejs", "npm": "npm"}, "qemu": {"qemu-system-arm": "qemu-system-arm"}}
+TOOLS = {"emulator": {"node": "nodejs", "npm": "npm"}, "bring": {"node": "nodejs", "npm": "npm"}, "qemu": {"qemu-system-arm": "qemu-system-arm"}}
 MACHINES = ("microbit", "mps2-an385")  # A Cortex-M0, and an M3.
 
 
@@ -43,10 +44,15 @@ def bring_emulator(folder):
     return package
 
 
-def emulate(root, folder):
+def bring(root, folder):
+    """Makes the images, and returns the emulator's folder."""
     build(root, folder)
     subprocess.run([sys.executable, "-B", root / "firmware/images.py", folder / "build", folder], check=True)
-    package = bring_emulator(folder)
+    return bring_emulator(folder)
+
+
+def emulate(root, folder):
+    package = bring(root, folder)
     return subprocess.run(["node", root / "tests/firmware/chip_test.mjs", package, folder, root / "firmware/wire/dial_box.h"],
                           check=False).returncode
 
@@ -70,6 +76,9 @@ def main():
             skip(f"there is no {tool}; the package {package} has it")
     if not pathlib.Path("/usr/include/newlib/c++").exists():
         skip("there are no headers of C++ for the chip; the package libstdc++-arm-none-eabi-dev has them")
+    if what == "bring":
+        bring(root, folder)
+        return 0
     return emulate(root, folder) if what == "emulator" else prove_in_qemu(root, folder)
 
 

@@ -8,6 +8,7 @@ readonly LONG_PACKAGES=(cpio curl zstd xz-utils dosfstools mtools openssl efitoo
 readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 readonly PLAIN_SHOW=out/plain.kaori
 readonly STICKS=out/sticks
+readonly CHIP=out/chip
 
 # Runs checks of kaori-bench on the image, with simulated devices plugged in: run_checks OPTION...
 run_checks() {
@@ -92,6 +93,14 @@ make_sticks() {
   rm -r "$folder"
 }
 
+# The firmware as it ships, and the emulator of its chip. Without them the check of the chip is skipped, and says so.
+bring_chip() {
+  need "${FIRMWARE_PACKAGES[@]}"
+  need_node
+  say "bringing the chip's emulator, where it is new"
+  python3 -B tests/firmware/chip.py . $CHIP bring >"$LOGS/chip.log" 2>&1 || say "without the chip's emulator; see $LOGS/chip.log"
+}
+
 failed_checks=()
 
 # Runs a command, says whether it passed, and goes on after a failure: run_check SENTENCE COMMAND...
@@ -109,16 +118,33 @@ run_check() {
 # One after the other, since they share the processors. kaori-bench runs its checks with their negative controls; the other
 # one has its control in it.
 run_all_checks() {
-  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --controls
+  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
   run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json
   tests/system/company_report.py out
 }
 
+# What an image for another processor is tried by: its start, play, kills, cables and lines, and the same disk by UEFI.
+readonly ARM64_CHECKS=face,stage-killed,play,dials,sticks,keys,camera,camera-pulled,lines,sound,pulled-box,replugs,crossed,input-killed,hung,kernel,uefi
+
+# The image for 64-bit ARM in QEMU's machine virt, with the same simulated devices; figures for out/cross.json.
+test_arm64_on_the_bench() {
+  local bin=out/build/arm64/bin disk=out/bench-arm64.disk
+  need "${MACHINE_PACKAGES[@]}" "${CROSS_TEST_PACKAGES[@]}"
+  image --arch arm64
+  build release kaori-bench
+  build arm64 kaori-hil-agent kaori-lips kaori-camera-libcamera
+  tests/hil/bench_disk $bin/kaori-hil-agent $disk '' "$SYSROOT"
+  say "running checks on the image for arm64 in a virtual machine"
+  $BIN/kaori-bench --arch arm64 --image out/image-arm64 --bench-disk $disk --report out/bench-arm64 --figures out/boot-arm64.json \
+    --play "$PLAY" --only $ARM64_CHECKS --replugs 24 --scenes 2 || fail "the box failed on the bench; the report is out/bench-arm64/report.html"
+}
+
 # --chosen: what runs each time.
 test_on_the_bench() {
-  [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen; see ./box help"
+  if [ "$*" = "--arch arm64" ]; then test_arm64_on_the_bench; return; fi
+  [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen or --arch arm64; see ./box help"
   need "${MACHINE_PACKAGES[@]}"
   [ $# -gt 0 ] || need "${WINDOW_PACKAGES[@]}" "${LONG_PACKAGES[@]}"
   image
@@ -131,6 +157,7 @@ test_on_the_bench() {
   build_bench_kernel
   pack_plain_show
   make_sticks
+  bring_chip
   run_all_checks
   [ ${#failed_checks[@]} -eq 0 ] || fail "failed: $(printf '%s; ' "${failed_checks[@]}")the reasons stand above"
 }

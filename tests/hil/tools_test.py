@@ -28,7 +28,9 @@ TOOLS = {
     "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "curl": "curl", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
     "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
     "openssl": "openssl", "sbsign": "sbsigntool", "cert-to-efi-sig-list": "efitools", "sign-efi-sig-list": "efitools",
-    "qemu-system-x86_64": "qemu-system-x86", "Xvfb": "xvfb",
+    **{f"aarch64-linux-gnu-{tool}": "binutils-aarch64-linux-gnu" for tool in ("nm", "objcopy", "objdump", "strip")},
+    "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu",
+    "qemu-system-x86_64": "qemu-system-x86", "qemu-system-aarch64": "qemu-system-arm", "qemu-aarch64-static": "qemu-user-static", "Xvfb": "xvfb",
     "evtest": "evtest", "v4l2-ctl": "v4l-utils", "v4l2-compliance": "v4l-utils", "gpiodetect": "gpiod", "gpioinfo": "gpiod",
     "arecord": "alsa-utils", "aplay": "alsa-utils", "amixer": "alsa-utils", "lsusb": "usbutils",
 }
@@ -77,6 +79,8 @@ def python_tools(source):
         if not isinstance(call, ast.Call) or not call.args:
             continue
         name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+        if name == "tool":  # Of rootfs/image/architectures.py: this machine's, and the cross compiler's.
+            found.update((call.args[0].value, f"aarch64-linux-gnu-{call.args[0].value}"))
         if name not in ("run", "Popen", "check_output", "check_call"):
             continue
         first = call.args[0]
@@ -88,7 +92,7 @@ def python_tools(source):
 
 
 def cpp_tools(source):
-    return set(re.findall(r'(?:RunToEnd|Process::Start)\(\s*\{"([^"]+)"', source)) | set(re.findall(r'command\{"([^"]+)"', source))
+    return set(re.findall(r'(?:RunToEnd|Process::Start)\(\s*\{"([^"]+)"', source)) | set(re.findall(r'(?:command\{|[.]qemu = )"([^"]+)"', source))
 
 
 def carried_tools(script):

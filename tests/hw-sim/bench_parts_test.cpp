@@ -123,7 +123,7 @@ TEST(QemuCommand, KeepsWhatIsWrittenOnlyWhereACheckWantsIt) {
 }
 
 TEST(LoggedCommandLine, LetsTheLogBeRead) {
-  const std::string line = LoggedCommandLine("root=a quiet loglevel=3 panic=5");
+  const std::string line = LoggedCommandLine({}, "root=a quiet loglevel=3 panic=5");
   EXPECT_THAT(line, Not(HasSubstr("quiet")));
   EXPECT_THAT(line, HasSubstr("root=a panic=5 console=ttyS0"));
 }

@@ -106,8 +106,10 @@ TEST_F(AgentBoard, IsWhatTheBenchReads) {
   board->AcquireWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
   board->AcquireWriter<board::ShowNow>()->Write({.cue_active = 3, .cue_standby = 4, .cue_pending = 5},
                                                 clock.now(), board::SourceState::kLive);
+  board->AcquireWriter<board::Desk>()->Write({.code = 123456}, clock.now(), board::SourceState::kLive);
   const auto view = ReadBoardView(agent::BoardAsJson(*board, clock));
   ASSERT_TRUE(view) << view.error().message();
+  EXPECT_EQ(view->desk_code, 123456);
   EXPECT_TRUE(view->surface_live);
   EXPECT_EQ(view->counts[2], -64);
   EXPECT_EQ(view->pushes[31], 7U);

@@ -24,6 +24,7 @@ Labels HarnessLabels() {
   labels.buttons[8] = {"Smile", "expression"};
   labels.buttons[24] = {"Wireframe", "style"};
   labels.sticks = {{{"Head", "Tilt", "Lean in"}, {"Gaze and brows"}}};
+  labels.sticks[1].buttons[11] = {"Laugh", "motion"};
   labels.keys = {{0x2C, "Blink", "blink"}, {0x1E, "Nod", "motion"},      {0x3A, "Poster", "scene"},
                  {0x15, "Hair", "style"},  {0x14, "Wireframe", "style"}, {0x1A, "Flat", "style"}};
   labels.scenes = {"Studio", "Poster"};

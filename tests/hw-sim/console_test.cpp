@@ -170,11 +170,13 @@ TEST_F(ConsoleLabels, ComeBackAsTheyWereWritten) {
   labels.buttons[31] = {"Night", "scene"};
   labels.second_buttons[4] = {"Angry", "expression"};
   labels.sticks = {{{"Head", "Tilt", "Lean in"}, {"Gaze"}}};
+  labels.sticks[1].buttons[11] = {"Laugh", "motion"};
   labels.keys = {{0x3A, "Poster", "scene"}};
   const auto loaded = Load(LabelsJson(labels));
   ASSERT_TRUE(loaded) << loaded.error().message();
   EXPECT_EQ(LabelsJson(*loaded), LabelsJson(labels));
   EXPECT_EQ(loaded->second_buttons[4].text, "Angry");
+  EXPECT_EQ(loaded->sticks[1].buttons[11].text, "Laugh");
 }
 
 TEST_F(ConsoleLabels, KeepTheirDefaultsWhereNothingIsSaid) {
@@ -196,6 +198,7 @@ TEST_F(ConsoleLabels, NameTheEntryThatIsWrong) {
   EXPECT_THAT(fault("{\"dials\": [\"a\", 2]}"), HasSubstr("dials, entry 2"));
   EXPECT_THAT(fault("{\"dials\": [1,2,3,4,5,6,7,8,9]}"), HasSubstr("8 at most"));
   EXPECT_THAT(fault("{\"buttons\": [\"a\"]}"), HasSubstr("buttons, entry 1"));
+  EXPECT_THAT(fault("{\"sticks\": [{\"buttons\": [3]}]}"), HasSubstr("sticks, entry 1"));
   EXPECT_THAT(fault("{\"keys\": [{\"usage\": 300}]}"), HasSubstr("keys, entry 1"));
   EXPECT_THAT(fault("{\"keys\": 3}"), HasSubstr("keys are"));
   EXPECT_FALSE(LoadLabels("/nowhere/labels.json"));

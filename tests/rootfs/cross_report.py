@@ -8,6 +8,15 @@
   sdk_cases           cases of tests/rootfs/sdk_test.py, with Debian's cross compiler in the SDK's place
   sdk_cases_failed
   recipe_errors       what tests/rootfs/layer.py finds, grammar and kas's schema included
+  boots_arm64         1: the image's disk starts by UEFI in QEMU's virt, and the face moves; 0: it does not
+  face_arm64          1: the face is on the screen of a box whose kernel QEMU loads; 0: it is not
+  first_face_arm64_s  from power to the first frames there, emulated
+  checks_arm64        checks of the bench that passed on that image
+  checks_arm64_failed
+  image_no_llvm_mb    the image for a board with a driver of its own, without LLVM and without the kernel
+
+What nobody measured is null: the last of them always, since no such image is built; those before where ./box test --bench --arch arm64
+did not run (bench-arm64/report.xml and boot-arm64.json beside FILE.json); the tests where TESTS.xml is not there.
 """
 
 import json
@@ -19,8 +28,9 @@ from pathlib import Path
 
 import layer
 
-PROGRAMS = ("kaori-boot", "kaori-data", "kaori-fdkeeper", "kaori-input", "kaori-lips", "kaori-power", "kaori-shows", "kaori-stage",
-            "kaori-surface", "kaori-desk", "kaori-status", "kaori-atelier", "kaori-sim", "kaori-rehearsal", "kaori-bench", "kaori-gadget")
+PROGRAMS = ("kaori-boot", "kaori-data", "kaori-fdkeeper", "kaori-input", "kaori-lips", "kaori-power", "kaori-report", "kaori-shows", "kaori-stage",
+            "kaori-surface", "kaori-update", "kaori-desk", "kaori-status", "kaori-atelier", "kaori-sim", "kaori-rehearsal",
+            "kaori-evening", "kaori-bench", "kaori-gadget")
 AARCH64 = 183  # e_machine of an ELF file.
 
 
@@ -39,16 +49,39 @@ def sdk_cases(root, sysroot):
     return cases, failed
 
 
+def of_the_bench(out):
+    """What ./box test --bench --arch arm64 left in the folder `out`; null where it did not run."""
+    report, figures = out / "bench-arm64/report.xml", out / "boot-arm64.json"
+    passed = None
+    if report.is_file():
+        cases = xml.etree.ElementTree.parse(report).getroot().iter("testcase")
+        passed = {case.get("name").split(":")[0]: case.find("failure") is None for case in cases if case.find("skipped") is None}
+    measured = json.loads(figures.read_text()) if figures.is_file() else {}
+
+    def verdict(check):
+        return None if passed is None or check not in passed else int(passed[check])
+
+    return {"boots_arm64": verdict("uefi"), "face_arm64": verdict("face"), "first_face_arm64_s": measured.get("first_frames_s"),
+            "checks_arm64": None if passed is None else sum(passed.values()),
+            "checks_arm64_failed": None if passed is None else len(passed) - sum(passed.values()), "image_no_llvm_mb": None}
+
+
+def of_tests(file):
+    """Of the unit tests in user-mode emulation; null where they did not run."""
+    ran = xml.etree.ElementTree.parse(file).getroot() if file.is_file() else {}
+    return {name: int(ran.get(key)) if ran.get(key) else None for name, key in (("tests_arm64", "tests"), ("tests_arm64_failed", "failures"))}
+
+
 def main():
     root, build, tests, modules, file = (Path(word).resolve() for word in sys.argv[1:6])
-    ran = xml.etree.ElementTree.parse(tests).getroot()
     cases, failed = sdk_cases(root, root / "out/cross/arm64/sysroot")
     recipe = list(layer.offences(root, root / "out/build/release", modules))
     print("\n".join(recipe))
     figures = {
         "programs_arm64": sum(is_arm64(build / f"bin/{name}") for name in PROGRAMS), "programs_all": len(PROGRAMS),
-        "tests_arm64": int(ran.get("tests")), "tests_arm64_failed": int(ran.get("failures")),
+        **of_tests(tests),
         "sdk_cases": cases, "sdk_cases_failed": failed, "recipe_errors": len(recipe),
+        **of_the_bench(file.parent),
     }
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(figures, indent=2) + "\n")

@@ -14,7 +14,8 @@ from pathlib import Path
 REPOSITORY = Path(sys.argv.pop(1))
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(REPOSITORY / "rootfs/image"))
-import esp  # noqa: E402  The image's own, all of these.
+import architectures  # noqa: E402  The image's own, all of these.
+import esp  # noqa: E402
 import fat  # noqa: E402
 import gpu_firmware  # noqa: E402
 import pack  # noqa: E402
@@ -52,6 +53,9 @@ class Image(unittest.TestCase):
             self.assertIn("--graphics voodoo: expected intel, amd or all", refusal(build, *usual, "--graphics", "voodoo"))
             self.assertIn("--gpu-firmware wants --graphics", refusal(build, *usual, "--gpu-firmware", folder))
             self.assertIn("has no db.key; ./box keys makes keys", refusal(build, *usual, "--secure-boot", folder))
+            self.assertEqual(refusal(build, *usual, "--arch", "pdp11"),
+                             "image: there is no architecture pdp11; expected amd64 or arm64")
+            self.assertIn("--graphics is for PCs", refusal(build, *usual, "--arch", "arm64", "--graphics", "amd"))
 
 
 class Medium(unittest.TestCase):
@@ -183,7 +187,7 @@ class Slots(unittest.TestCase):
         self.assertIn(b"\ndefault kaori-a.efi\n#", one)
         self.assertTrue(one.endswith(b"#\n"))
 
-    def laid_out(self, folder, name):
+    def laid_out(self, folder, name, arch=architectures.PC):
         files = Path(folder) / "boot"
         for path in esp.FOLDERS:
             (files / path).mkdir(parents=True, exist_ok=True)
@@ -191,11 +195,11 @@ class Slots(unittest.TestCase):
             kernel = files / f"EFI/Linux/kaori-{slot}.efi"
             kernel.write_bytes(bytes([0x4D + number]) * esp.KERNEL_BYTES)
             os.utime(kernel, (1767225600, 1767225600))
-        for path, text in (("EFI/BOOT/BOOTX64.EFI", "a loader" * 9000), ("loader/loader.conf", esp.settings("a"))):
+        for path, text in ((f"EFI/BOOT/{arch.loader}", "a loader" * 9000), ("loader/loader.conf", esp.settings("a"))):
             (files / path).write_text(text)
             os.utime(files / path, (1767225600, 1767225600))
         os.environ["SOURCE_DATE_EPOCH"] = "1767225600"
-        esp.lay_out(Path(folder) / name, files, 64)
+        esp.lay_out(Path(folder) / name, files, 64, arch)
         return Path(folder) / name
 
     def test_kernels_lie_in_one_piece_on_whole_mib_of_the_disk(self):
@@ -212,6 +216,10 @@ class Slots(unittest.TestCase):
                 sectors, size = fat.find(file, "loader", "LOADER~1.CON")
             self.assertEqual(content[sectors[0] * 512:][:size], esp.settings("a").encode())
             self.assertEqual(self.laid_out(folder, "again.vfat").read_bytes(), content, "made again it is another")
+
+    def test_a_firmware_finds_the_loader_by_the_name_for_its_processor(self):
+        with tempfile.TemporaryDirectory() as folder, open(self.laid_out(folder, "a", architectures.NAMED["arm64"]), "rb") as file:
+            self.assertEqual(fat.find(file, "EFI", "BOOT", "BOOTAA64.EFI")[1], len("a loader" * 9000))
 
     def test_a_kernel_with_a_hole_or_beside_a_whole_mib_is_seen(self):
         count = esp.KERNEL_BYTES // 512

@@ -94,14 +94,14 @@ class SmallImage(unittest.TestCase):
         self.report = self.folder / "image.json"
         self.report.write_text('{"root_hash": "ab12"}')
 
-    def run_sbom(self):
-        command = [IMAGE / "sbom.py", *(self.folder / name for name in ("image", "packages", "overlay", "stand_ins.txt", "programs")),
-                   self.report]
+    def run_sbom(self, *sysroot):
+        command = [IMAGE / "sbom.py", "amd64", *(self.folder / name for name in ("image", "packages", "overlay", "stand_ins.txt", "programs")),
+                   self.report, *sysroot]
         return subprocess.run(command, capture_output=True, text=True, check=False,
                               env=dict(os.environ, SOURCE_DATE_EPOCH="1767225600"))
 
-    def listed(self, ending):
-        done = self.run_sbom()
+    def listed(self, ending, *sysroot):
+        done = self.run_sbom(*sysroot)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return json.loads((self.folder / f"image{ending}").read_text())
 
@@ -120,6 +120,14 @@ class Listed(SmallImage):
             "./usr/share/kaori/kaori.kaori": "SPDXRef-part-kaori-show"})
         report = json.loads(self.report.read_text())
         self.assertEqual((report["root_hash"], report["sbom_files"], report["sbom_files_unmatched"]), ("ab12", 9, 0))
+
+    def test_what_is_compiled_into_programs_for_another_processor_is_the_sysroots(self):
+        write(self.folder / "sysroot/var/lib/dpkg/status", "Package: libglm-dev\nVersion: 0.1-of-the-sysroot\nArchitecture: all\n\n"
+              "Package: libpng-dev\nVersion: 1\nArchitecture: arm64\n\n")
+        versions = {package["name"]: package["versionInfo"] for package in self.listed(".spdx.json", self.folder / "sysroot")["packages"]}
+        self.assertEqual(versions["libglm-dev"], "0.1-of-the-sysroot")
+        self.assertIn("libc6-dev", versions, "what the sysroot has not is this machine's")
+        self.assertNotIn("libpng-dev", versions, "it is compiled into nothing of the box")
 
     def test_a_package_is_named_with_version_source_licence_and_the_hashes_of_its_files(self):
         document = self.listed(".spdx.json")

@@ -7,9 +7,9 @@ _BASE = ("firmware/wire/", "drivers/base/")
 _PORTS = _BASE + ("drivers/ports/",)
 _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog", "backup", "restore", "update"))
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "store", "show", "roles", "performance", "linecheck", "showlog", "report", "backup", "restore", "update"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
-_SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
+_SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/chip/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
 CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "serial", "midi", "gpio", "camera", "audio", "scanout", "loader"))
 
@@ -41,6 +41,7 @@ MAY_INCLUDE = (
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
     ("appliance/core/linecheck/", _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
     ("appliance/core/showlog/", _BASE + _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
+    ("appliance/core/report/", _BASE + _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/", "appliance/core/showlog/")),
     ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/", "appliance/core/restore/", "appliance/core/store/")),
     ("appliance/programs/data/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
@@ -50,6 +51,7 @@ MAY_INCLUDE = (
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
     ("appliance/programs/monitor/", _PROGRAM + ("appliance/programs/status/",)),
+    ("appliance/programs/shows/protocol/", _BASE),
     ("appliance/programs/shows/", _PORTS + ("appliance/core/backup/", "appliance/core/board/", "appliance/core/restore/", "appliance/core/store/", "appliance/core/show/", "appliance/core/toml/",
                                             "appliance/core/update/", "appliance/programs/status/",
                                             # A settings file is judged by the programs that will read it.
@@ -57,14 +59,16 @@ MAY_INCLUDE = (
     ("appliance/programs/update/", _PORTS + ("appliance/core/show/", "appliance/core/update/")),
     ("appliance/programs/lips/protocol/", _BASE),
     ("appliance/programs/lips/", _PROGRAM),
+    ("appliance/programs/report/", _PROGRAM + ("appliance/programs/editor/",)),  # Expressions that were made on the box.
     ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/monitor/", "appliance/programs/status/")),
     ("appliance/programs/desk/", _BASE + ("render/image/", "appliance/core/board/", "appliance/programs/lips/protocol/",
-                                          "appliance/programs/status/", "drivers/web/")),
+                                          "appliance/programs/shows/protocol/", "appliance/programs/status/", "drivers/web/")),
     ("appliance/authoring/keys/", _PROGRAM + ("appliance/programs/stage/", "appliance/authoring/script/", "drivers/web/")),  # JPEG for keys with screens.
-    ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.
+    ("appliance/authoring/", _PROGRAM + ("appliance/programs/report/", "appliance/programs/stage/")),  # Its contact sheets are drawn by the stage's studio.
     ("hw-sim/rehearsal/", EVERYTHING),
     ("hw-sim/evening/", EVERYTHING),
     ("hw-sim/devices/", _PORTS + ("firmware/surface/",)),
+    ("hw-sim/chip/", _PORTS + ("hw-sim/devices/",)),
     ("hw-sim/links/", _PORTS + ("hw-sim/devices/",)),
     ("hw-sim/scenario/", _PORTS + ("hw-sim/devices/", "hw-sim/links/")),
     ("hw-sim/console/", _PORTS + ("drivers/web/", "hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/")),
@@ -110,7 +114,7 @@ LINES_WANTED = 300
 LONG_FILES = {}
 
 # The test's side of simulated devices, and the wire format, of which the box decodes with its general reader of reports.
-FOR_TESTS_TOO = ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "firmware/wire/")
+FOR_TESTS_TOO = ("hw-sim/devices/", "hw-sim/chip/", "hw-sim/links/", "hw-sim/scenario/", "firmware/wire/")
 
 # Declared in the product's headers and used by no code of the product, each with its reason (tests/rules/unused.py).
 USED_FROM_OUTSIDE = {

@@ -154,10 +154,10 @@ wanted=$'building: 1 of 4 steps\na warning\nbuilding: 3 of 4 steps'
 mkdir "$copy/stick"
 touch "$copy/evening.kaori" "$copy/company.key"
 echo key >"$copy/company.key.pub"
-for program in kaori-atelier kaori-stage; do
-  printf '#!/bin/sh\n' >"$copy/out/build/release/bin/$program"
-  chmod +x "$copy/out/build/release/bin/$program"
-done
+printf '#!/bin/sh\n' >"$copy/out/build/release/bin/kaori-stage"
+# What is drawn for keys goes into a copy.
+printf '#!/bin/sh\n[ "$1" != keys ] || /bin/cp "$2" "$3"\n' >"$copy/out/build/release/bin/kaori-atelier"
+chmod +x "$copy"/out/build/release/bin/*
 for spoilt in nothing evening.kaori company.pub; do
   printf '#!/bin/sh\n/bin/cp "$@"\ncase $2 in */stick/%s) echo spoilt >>"$2" ;; esac\n' $spoilt >"$copy/bin/cp"
   chmod +x "$copy/bin/cp"

@@ -1,7 +1,7 @@
 // The harness of the desk's browser tests: desk-harness, an operator with green lips, and a visitor's browser.
 import {spawn} from 'node:child_process';
-import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
-import {tmpdir} from 'node:os';
+import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir, userInfo} from 'node:os';
 import {join} from 'node:path';
 import {createInterface} from 'node:readline';
 
@@ -33,7 +33,32 @@ export class DeskHarness {
     return readFileSync(join(this.folder, 'lips.settings'), 'utf8');
   }
 
+  // The real kaori-shows, with the service key on: a box in a folder, and another one in the place of its stick.
+  startShows(files) {
+    for (const folder of ['data/settings', 'data/shows', 'stick', 'keys', 'report']) mkdirSync(join(this.folder, folder), {recursive: true});
+    for (const [name, text] of Object.entries({...files, open: ''})) writeFileSync(join(this.folder, name), text);
+    const at = (name) => join(this.folder, name);
+    const {username} = userInfo();
+    this.shows = spawn(join(process.env.KAORI_PROGRAMS, 'kaori-shows'), [
+      '--board', at('board'), '--open', at('open'), '--shows', at('data/shows'), '--keys', at('data/settings/keys'), '--root-keys', at('keys'),
+      '--report', at('report'), '--stick', at('stick'), '--plugged', '--trial-user', username, '--desk-user', username,
+    ], {stdio: ['ignore', 'ignore', 'pipe']});
+    this.shows.stderr.on('data', (text) => { this.log += text; });
+  }
+  file(name) {
+    return readFileSync(join(this.folder, name), 'utf8');
+  }
+  write(name, text) {
+    writeFileSync(join(this.folder, name), text);
+  }
+  // As when the service key is turned back.
+  async turnKeyBack() {
+    rmSync(join(this.folder, 'open'));
+    await until('the end of kaori-shows', () => this.shows.exitCode !== null);
+  }
+
   async close() {
+    if (this.shows?.exitCode === null) await end(this.shows, 'SIGTERM');
     await end(this.process, 'SIGTERM');
     rmSync(this.folder, {recursive: true, force: true});
   }

@@ -1,5 +1,6 @@
-// The desk in a real browser, by HTTPS: a visitor pairs, samples green paint, calibrates, keeps it and goes back.
+// The desk in a real browser, by HTTPS: a visitor pairs, samples green paint, calibrates, keeps it and goes back, and sets up the box.
 import assert from 'node:assert/strict';
+import {join} from 'node:path';
 import {after, afterEach, before, test} from 'node:test';
 
 import {openBrowser, until} from '../hw-sim/browser/harness.mjs';
@@ -166,6 +167,98 @@ test('the page says when the camera is pulled', async () => {
   await until('that the page says so', async () => (await page.locator('#notice').textContent()) === 'The camera sends no pictures.');
   harness.tell('camera on');
   await until('that the page says nothing', async () => (await page.locator('#notice').textContent()) === '');
+});
+
+const kOld = '# ours\nprofile = "stage"\n';
+const said = (words) => until(`that the box says "${words}"`, async () => (await page.locator('#machine-said').textContent()).includes(words));
+const take = async (name) => {
+  const line = page.locator('#machine-list').getByRole('button', {name});
+  await until(`the line ${name}`, () => line.isEnabled({timeout: 1000}).catch(() => false));
+  await line.click();
+};
+const compare = async (settings) => {
+  await page.locator('#machine-text').fill(settings);
+  await page.getByRole('button', {name: 'Check and compare'}).click();
+};
+
+test('the list of the box stands on the page while the program for shows runs, with what lies on a stick', async () => {
+  await said('The program for shows does not answer.');
+  harness.startShows({'data/settings/box.toml': kOld, 'stick/venue.toml': '[stick.left]\ncurve = 0.4\n'});
+  await until('the settings of the stick', () => page.locator('#machine-list').getByRole('button', {name: 'settings venue'}).isVisible());
+  await said('take a show by its number');
+});
+
+test('settings with a mistake are refused with its line, and the box keeps its own', async () => {
+  await page.locator('#machine-settings summary').click();
+  assert.equal(await page.locator('#machine-text').inputValue(), kOld);
+  await compare('profile = "stage"\n[stick.left]\ndead_zone = 7\n');
+  await said('box.toml:3:13: stick.left.dead_zone is not between 0 and 0.9');
+  assert.equal(harness.file('data/settings/box.toml'), kOld);
+  await page.getByRole('button', {name: 'As they are on the box'}).click();
+  assert.equal(await page.locator('#machine-text').inputValue(), kOld);
+});
+
+test('settings are shown as what they change, and count once the visitor agrees; those before are kept', async () => {
+  const fresh = 'profile = "kiosk"\n\n[network]\naddress = "10.101.90.20/24"\n';
+  await compare(fresh);
+  await said('nothing has changed yet');
+  assert.deepEqual(await page.locator('#machine-notes li').allTextContents(),
+                   ['new     network.address  "10.101.90.20/24"', 'changed profile  "stage" -> "kiosk"']);
+  await take('leave the settings as they are');
+  await said('the box stays as it is');
+  assert.equal(harness.file('data/settings/box.toml'), kOld);
+  await compare(fresh);
+  await take('yes, change them');
+  await said('switch the box off and on');
+  assert.equal(harness.file('data/settings/box.toml'), fresh);
+  assert.equal(harness.file('data/settings/box.before.toml'), kOld);
+});
+
+test('a single setting is chosen from the list, in Japanese too', async () => {
+  await take('settings of this box');
+  await take('profile');
+  await page.locator('#language').click();
+  await said('値を選んでください');
+  assert.equal(await page.locator('#machine-list button').first().textContent(), '設定はそのままにする');
+  await until('the value of now', async () => (await page.locator('#machine-list').textContent()).includes('kiosk  今の値'));
+  await page.locator('#language').click();
+  await take('stage');
+  await take('yes, change them');
+  await until('the profile in the file', () => harness.file('data/settings/box.toml').startsWith('profile = "stage"\n'));
+  await until('the file on the page', async () => (await page.locator('#machine-text').inputValue()).startsWith('profile = "stage"\n'));
+});
+
+test('a file of the stick is taken from the page, and the settings before it come back', async () => {
+  await take('settings venue');
+  await take('yes, change them');
+  await until('those of the stick', () => harness.file('data/settings/box.toml').includes('curve = 0.4'));
+  await take('settings of this box');
+  await take('back to the settings before the last change');
+  await take('yes, change them');
+  await until('those before', () => harness.file('data/settings/box.toml').startsWith('profile = "stage"\n'));
+});
+
+test('a backup is saved from the page, brought back, and restored once the visitor agrees', async () => {
+  await page.getByRole('button', {name: 'Make a backup'}).click();
+  const fetch = page.locator('#machine-fetch');
+  await until('a backup to be saved', () => fetch.isVisible());
+  const [download] = await Promise.all([page.waitForEvent('download'), fetch.click()]);
+  assert.match(download.suggestedFilename(), /\.kaorishow$/);
+  const file = join(harness.folder, download.suggestedFilename());
+  await download.saveAs(file);
+  harness.write('data/settings/box.toml', 'profile = "bench"\n');
+  await page.locator('#machine-file').setInputFiles(file);
+  await until('what differs', async () => (await page.locator('#machine-notes').textContent()).includes('settings/box.toml'));
+  await take('yes, restore this');
+  await said('switch the box off and on');
+  assert.equal(harness.file('data/settings/box.toml'), 'profile = "bench"\n', 'the next start restores it');
+});
+
+test('with the key turned back the list is gone from the page', async () => {
+  await harness.turnKeyBack();
+  await said('The program for shows does not answer.');
+  assert.equal(await page.locator('#machine-list button').count(), 0);
+  assert.equal(await page.evaluate(async () => (await fetch('/box', {method: 'POST', body: 'take 0 1'})).status), 503);
 });
 
 test('the page is small, and asks no other host for anything', async () => {

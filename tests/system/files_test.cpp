@@ -226,9 +226,11 @@ const std::map<std::string, std::string>& NotOffered() {
       {"kaori-data --notice", "it is written"},
       {"kaori-data --reset", "it is written"},
       {"kaori-data --settings", "kaori-boot leaves it in memory, and no person does"},
+      {"kaori-desk --box", "a socket, at which it calls; what is none is refused by the kernel"},
       {"kaori-desk --open", "it is only asked whether it is there"},
       {"kaori-input --box", "a faulty one is no error: input_roles_test.cpp"},
       {"kaori-input --key", "it is written"},
+      {"kaori-input --keys", "kaori-stage leaves it in memory, and no person does"},
       {"kaori-input --last-good", "it is written, and read as --box"},
       {"kaori-input --midi",
        "the kernel's folder of devices, or a simulator's sockets; browser_playing.test.mjs plays one"},
@@ -239,9 +241,13 @@ const std::map<std::string, std::string>& NotOffered() {
       {"kaori-rehearsal --own", "it is read as kaori-stage reads it"},
       {"kaori-rehearsal --pictures", "it is written"},
       {"kaori-rehearsal --write-log", "it is written"},
+      {"kaori-report --logs", "torn logs in it are named and left: report_test.cpp"},
+      {"kaori-report --own", "what cannot be copied out of it is missing"},
+      {"kaori-report --pack", "what is no show is that of no log: report_test.cpp"},
       {"kaori-sim --record", "it is written"},
       {"kaori-stage --card", "it is a device, and what is none is refused by the kernel"},
       {"kaori-stage --chosen", "kaori-shows leaves it in memory, and no person does"},
+      {"kaori-stage --keys", "it is written"},
       {"kaori-stage --log", "it is written"},
       {"kaori-stage --looked-at", "it is only asked whether it is there"},
       {"kaori-stage --settings", "kaori-boot leaves it in memory, and no person does"},
@@ -271,7 +277,7 @@ TEST(NoFileIsForgotten, ByTheListOfThisTest) {
   const std::vector<FileOption> rows = FileOptions();
   std::set<std::string> programs;
   for (const FileOption& row : rows) programs.insert(row.program);
-  for (const char* more : {"kaori-data", "kaori-power"}) programs.insert(more);
+  for (const char* more : {"kaori-data", "kaori-power", "kaori-report"}) programs.insert(more);
   for (const std::string& program : programs)
     for (const std::string& option : FilesOfHelp(program)) {
       const bool offered = std::ranges::any_of(rows, [&](const FileOption& row) {

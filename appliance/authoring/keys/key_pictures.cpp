@@ -7,12 +7,14 @@
 #include <fstream>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "appliance/authoring/keys/key_file.h"
 #include "appliance/authoring/keys/key_scene.h"
 #include "appliance/core/roles/own_buttons.h"
+#include "appliance/programs/stage/key_files.h"
 #include "render/image/text.h"
 
 namespace kaori::authoring {
@@ -141,40 +143,33 @@ Result<void> Save(const std::filesystem::path& path, std::span<const std::uint8_
 }
 
 // Both states of one key.
-Result<void> WriteKey(const image::Picture& picture, const decode::DeckShape& shape,
-                      const std::filesystem::path& stem) {
+Result<void> GiveKey(const image::Picture& picture, const decode::DeckShape& shape, std::uint64_t call,
+                     const KeySink& sink) {
   for (const bool is_lit : {false, true}) {
     image::Picture state = picture;
     is_lit ? Frame(state) : Dim(state);
-    const auto file = KeyFile(state, shape);
+    auto file = KeyFile(state, shape);
     if (!file) return tl::unexpected(file.error());
-    const auto path = fmt::format("{}{}{}", stem.string(), is_lit ? "-lit" : "", shape.suffix());
-    if (auto ok = Save(path, *file); !ok) return ok;
+    if (auto ok = sink({shape.key_px, call, is_lit, std::move(*file)}); !ok) return ok;
   }
   return {};
 }
 
 // Has no bright state: nothing is on there.
-Result<void> WriteBlank(const decode::DeckShape& shape, const std::filesystem::path& stem) {
-  const auto file = KeyFile(image::Picture::Blank(shape.key_px, shape.key_px), shape);
+Result<void> GiveBlank(const decode::DeckShape& shape, const KeySink& sink) {
+  auto file = KeyFile(image::Picture::Blank(shape.key_px, shape.key_px), shape);
   if (!file) return tl::unexpected(file.error());
-  return Save(fmt::format("{}{}", stem.string(), shape.suffix()), *file);
+  return sink({shape.key_px, 0, false, std::move(*file)});
 }
 
 }  // namespace
 
-// The folders are made first, so that a place where nothing can be written is known before anything is drawn.
-Result<int> DrawKeys(stage::Studio& studio, const std::filesystem::path& folder,
+Result<int> DrawKeys(stage::Studio& studio, const KeySink& sink,
                      const std::function<void(std::string_view)>& step) {
   auto lettering = image::Lettering::Open();
   if (!lettering) return tl::unexpected(lettering.error());
-  for (const decode::DeckShape& shape : decode::kDeckShapes) {
-    const auto of_shape = folder / std::to_string(shape.key_px);
-    std::error_code error;
-    std::filesystem::create_directories(of_shape, error);
-    if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + of_shape.string());
-    if (auto ok = WriteBlank(shape, of_shape / "blank"); !ok) return tl::unexpected(ok.error());
-  }
+  for (const decode::DeckShape& shape : decode::kDeckShapes)
+    if (auto ok = GiveBlank(shape, sink); !ok) return tl::unexpected(ok.error());
   const roles::Items items = roles::ItemsOf(studio.show());
   KeyPainter painter(studio, *lettering);
   int drawn = 0;
@@ -183,14 +178,26 @@ Result<int> DrawKeys(stage::Studio& studio, const std::filesystem::path& folder,
     if (!call || call->kind == show::CallKind::kGoTo) continue;
     step(name);
     if (auto ok = painter.Draw(*call, name); !ok) return tl::unexpected(ok.error());
-    const auto sum = fmt::format("{:016x}", roles::SumOfCall(*call, studio.show().name, items));
+    const std::uint64_t sum = roles::SumOfCall(*call, studio.show().name, items);
     for (const decode::DeckShape& shape : decode::kDeckShapes)
-      if (auto ok = WriteKey(painter.Paint(shape.key_px), shape, folder / std::to_string(shape.key_px) / sum);
-          !ok)
+      if (auto ok = GiveKey(painter.Paint(shape.key_px), shape, sum, sink); !ok)
         return tl::unexpected(ok.error());
     ++drawn;
   }
   return drawn;
+}
+
+// The folders are made first, so that a place where nothing can be written is known before anything is drawn.
+Result<KeySink> KeyFiles(std::filesystem::path folder) {
+  for (const decode::DeckShape& shape : decode::kDeckShapes) {
+    const auto of_shape = folder / std::to_string(shape.key_px);
+    std::error_code error;
+    std::filesystem::create_directories(of_shape, error);
+    if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + of_shape.string());
+  }
+  return [folder = std::move(folder)](const show::KeyPicture& key) {
+    return Save(folder / stage::KeyFileName(key), key.file);
+  };
 }
 
 }  // namespace kaori::authoring

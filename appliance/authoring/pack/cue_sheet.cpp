@@ -19,7 +19,8 @@ namespace {
 struct Words {
   const char *language, *title, *cue, *begins, *happens, *notes;
   const char *go, *with_previous, *after_previous, *then_waits, *or_after;
-  const char *mouth_shut, *voice_quiet, *presence;
+  const char *mouth_shut, *voice_quiet, *presence, *gaze_on;
+  const char *layer, *larger, *from;
   const char *scene, *face, *expression, *style, *light, *present, *absent, *motion, *sounding, *looping,
       *no_motion;
   const char *at_once, *in_time;
@@ -42,6 +43,10 @@ constexpr Words kEnglish{
     .mouth_shut = "mouth shut for {1} s",
     .voice_quiet = "voice quiet for {1} s",
     .presence = "somebody there for {1} s",
+    .gaze_on = "her look on {0} for {1} s",
+    .layer = "{0}, {1}",
+    .larger = "{0}, {1} times as large",
+    .from = "{0}, from {1} s on",
     .scene = "scene {0}",
     .face = "face {0}",
     .expression = "expression {0}",
@@ -74,6 +79,10 @@ constexpr Words kJapanese{
     .mouth_shut = "口が {1} 秒閉じたら",
     .voice_quiet = "声が {1} 秒止んだら",
     .presence = "人が {1} 秒いたら",
+    .gaze_on = "視線が {0} に {1} 秒とどまったら",
+    .layer = "{0}、{1}",
+    .larger = "{0}、{1} 倍",
+    .from = "{0}、{1} 秒から",
     .scene = "場面 {0}",
     .face = "顔 {0}",
     .expression = "表情 {0}",
@@ -185,10 +194,13 @@ class CueSheetWriter {
     if (cue.wait.person == show::CuePerson::kNobody) return begins;
     const char* person = cue.wait.person == show::CuePerson::kMouthShut    ? words_.mouth_shut
                          : cue.wait.person == show::CuePerson::kVoiceQuiet ? words_.voice_quiet
-                                                                           : words_.presence;
-    // The text of a person has its time as {1}, and its {0} is unused: an empty text fills it.
+                         : cue.wait.person == show::CuePerson::kPresence   ? words_.presence
+                                                                           : words_.gaze_on;
+    // The text of a person has its time as {1}; its {0} is whom a look rests on, and unused by the others.
+    const auto target = static_cast<std::size_t>(cue.wait.target);
+    const std::string whom = cue.wait.target >= 0 ? show_.gaze_targets[target].name : "";
     const std::string waits =
-        Say(words_.or_after, Say(person, "", Number(cue.wait.for_s)), Number(cue.wait.at_most_s));
+        Say(words_.or_after, Say(person, whom, Number(cue.wait.for_s)), Number(cue.wait.at_most_s));
     return fmt::format("{}; {}", begins, waits);
   }
 
@@ -215,8 +227,18 @@ class CueSheetWriter {
       lines.push_back(In(cue.present->value > 0 ? words_.present : words_.absent, cue.present->in_s));
     // The index is negative where the cue plays no motion, and has a value of its own where it ends them.
     if (cue.motion == show::kEndsMotion) lines.emplace_back(words_.no_motion);
-    if (cue.motion >= 0) lines.push_back(Line(show_.motions[static_cast<std::size_t>(cue.motion)]));
+    if (cue.motion >= 0) lines.push_back(LineOfMotion(cue));
     return lines;
+  }
+
+  // What the cue says of its motion besides the name. Layers are told in the words of the files.
+  std::string LineOfMotion(const show::Cue& cue) const {
+    std::string line = Line(show_.motions[static_cast<std::size_t>(cue.motion)]);
+    if (cue.use.layer)
+      line = Say(words_.layer, line, show::kMotionLayerNames[static_cast<std::size_t>(*cue.use.layer)]);
+    if (cue.use.gain != 1) line = Say(words_.larger, line, Number(cue.use.gain));
+    if (cue.use.from_s > 0) line = Say(words_.from, line, Number(cue.use.from_s));
+    return line;
   }
 
   // A loop is told before a sound: it goes on until another cue ends it, which the caller must know.

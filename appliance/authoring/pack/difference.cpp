@@ -80,8 +80,9 @@ std::vector<std::string> Differences(const show::Show& before, const show::Show&
                 [&](const std::string& item, const show::StageScene& a, const show::StageScene& b) {
                   CompareScene(item, {before, a}, {after, b}, lines);
                 });
-  // Controls and lobby come last, since they call the items that the lines above have told of.
+  // Controls, cues and lobby come last, since they call the items that the lines above have told of.
   CompareControls(before, after, lines);
+  CompareCues(before, after, lines);
   CompareLobby(before, after, lines);
   return lines;
 }

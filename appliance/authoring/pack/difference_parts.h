@@ -45,6 +45,8 @@ void CompareMotion(const std::string& item, const show::Motion& a, const show::M
 void CompareScene(const std::string& item, const ScriptedScene& a, const ScriptedScene& b, Lines& lines);
 // Buttons, keys and channels, by what they call: an item that only has another number plays alike.
 void CompareControls(const show::Show& a, const show::Show& b, Lines& lines);
+// Each cue by its number, and what holds for all of them, by the names that cues.toml has for them.
+void CompareCues(const show::Show& a, const show::Show& b, Lines& lines);
 // Cue, visitor, times, greetings and hours of the lobby, by the names that lobby.toml has for them.
 void CompareLobby(const show::Show& a, const show::Show& b, Lines& lines);
 

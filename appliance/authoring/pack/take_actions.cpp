@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "appliance/authoring/report/take.h"
+#include "appliance/authoring/record/take.h"
 #include "appliance/authoring/takes/edit.h"
 #include "appliance/authoring/takes/take_file.h"
-#include "appliance/programs/stage/logged_show.h"
+#include "appliance/programs/report/logged_show.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/number.h"
@@ -99,7 +99,7 @@ Said Record(const Arguments& arguments) {
   for (const std::string& fault : log->faults()) LogWarning("{}", fault);
   auto options = StretchOf(*log, arguments.words[5]);
   if (!options) return tl::unexpected(options.error());
-  const auto show = stage::LoadShowOfLog(arguments.words[3], log->head(), OptionOf(arguments, "--own"));
+  const auto show = report::LoadShowOfLog(arguments.words[3], log->head(), OptionOf(arguments, "--own"));
   if (!show) return tl::unexpected(show.error());
   options->name = arguments.words[kName];
   // StretchOf knows the two times alone: all else comes from the options of the command line.
@@ -156,7 +156,7 @@ Said Stretch(const Arguments& arguments) {
 }
 
 Said Amplify(const Arguments& arguments) {
-  return SetTo(arguments, &Take::gain, kLeastTakeGain, kMostTakeGain);
+  return SetTo(arguments, &Take::gain, show::kLeastTakeGain, show::kMostTakeGain);
 }
 
 Said Ease(const Arguments& arguments) {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "appliance/authoring/pack/verbs.h"
-#include "appliance/authoring/report/report.h"
-#include "appliance/programs/stage/logged_show.h"
+#include "appliance/core/report/report.h"
+#include "appliance/programs/report/logged_show.h"
 #include "drivers/base/log.h"
 #include "drivers/base/program.h"
 #include "drivers/base/whole_file.h"
@@ -13,26 +13,10 @@
 namespace kaori::authoring {
 namespace {
 
-// One for each file, in the order of the command line, without those that cannot be read.
-using Logs = std::vector<showlog::LogFile>;
-
-// Reads all logs and plays them again, evening by evening. The oldest comes first.
-std::vector<Evening> EveningsOf(const Logs& logs, const show::Show& show) {
-  std::vector<Evening> evenings;
-  for (std::size_t i = 0; i < logs.size();) {
-    std::vector<const showlog::LogFile*> one;
-    const showlog::LogHead& first = logs[i].head();
-    // A restart of the stage begins a new file; the box's own start is what separates two evenings.
-    for (; i < logs.size() && showlog::IsSameEvening(logs[i].head(), first); ++i) one.push_back(&logs[i]);
-    evenings.push_back(ReadEvening(one, show));
-  }
-  return evenings;
-}
-
 // The last log is the evening that is told, and must be readable; an earlier one that is not is left out with
 // a warning. All of them are played with the show of the last one, so that cues are compared by one list.
 int RunReport(const Arguments& arguments) {
-  Logs logs;
+  std::vector<showlog::LogFile> logs;
   for (std::size_t i = 1; i < arguments.words.size(); ++i) {
     auto log = showlog::LogFile::Read(arguments.words[i]);
     if (!log && i + 1 == arguments.words.size()) return ExitWithError(log.error());
@@ -42,18 +26,18 @@ int RunReport(const Arguments& arguments) {
       LogWarning("{}", log.error().message());  // An earlier evening: it is compared without it.
   }
   const auto own = arguments.options.find("--own");
-  const auto show = stage::LoadShowOfLog(arguments.words[0], logs.back().head(),
-                                         own == arguments.options.end() ? "" : own->second);
+  const auto show = report::LoadShowOfLog(arguments.words[0], logs.back().head(),
+                                          own == arguments.options.end() ? "" : own->second);
   if (!show) return ExitWithError(show.error());
-  auto evenings = EveningsOf(logs, *show);
-  const Evening evening = std::move(evenings.back());
+  auto evenings = report::ReadEvenings(logs, *show);
+  const report::Evening evening = std::move(evenings.back());
   evenings.pop_back();
   // The evenings that are left are the earlier ones, which say what is usual.
-  const Report report = ReportOf(evening, evenings, *show);
-  fmt::print("{}", TextOfReport(report));
+  const report::Report told = report::ReportOf(evening, evenings, *show);
+  fmt::print("{}", report::TextOfReport(told));
   const auto html = arguments.options.find("--html");
   if (html == arguments.options.end()) return 0;
-  const std::string page = PageOfReport(report);
+  const std::string page = report::PageOfReport(told);
   if (const auto ok = WriteWholeFile(html->second, {AsBytes(page)}); !ok) return ExitWithError(ok.error());
   return 0;
 }

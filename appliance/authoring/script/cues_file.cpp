@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "appliance/authoring/script/show_parts.h"
-#include "appliance/authoring/takes/take.h"
 #include "appliance/core/board/calls.h"
 #include "appliance/core/roles/level_names.h"
 
@@ -12,15 +11,6 @@ namespace {
 
 // In the order of show::CueNext. A cue that does not say is "no": GO begins the next one.
 constexpr std::array<std::string_view, 3> kNexts{"no", "continue", "follow"};
-
-// What cues may wait for, each under the key of its seconds.
-struct PersonKey {
-  std::string_view key;
-  show::CuePerson person;
-};
-constexpr std::array<PersonKey, 3> kPersons{{{"mouth_shut_s", show::CuePerson::kMouthShut},
-                                             {"voice_quiet_s", show::CuePerson::kVoiceQuiet},
-                                             {"presence_s", show::CuePerson::kPresence}}};
 
 // One cue's keys, or those of [list].
 class CueReader {
@@ -64,28 +54,6 @@ class CueReader {
     return call;
   }
 
-  // motion = "nod" or take = "greeting": a take is a motion that somebody played. "none" ends what plays.
-  std::int32_t Motion() {
-    const char* const key = section_.Has("take") ? "take" : "motion";
-    if (section_.Has("take") && section_.Has("motion"))
-      section_.Fault("take", "stands beside a motion; a cue plays one of them");
-    if (!section_.Has(key)) return show::kNoMotion;
-    const std::string name = section_.Text(key);
-    if (name.empty()) return show::kNoMotion;
-    if (name == kNoTakeName) return show::kEndsMotion;
-    return IndexOf(section_, key, key, script_.show.motions, name);
-  }
-
-  // A motion that loops has no end at which something could begin.
-  void CheckFollow(const show::Cue& cue) {
-    const auto& motions = script_.show.motions;
-    if (cue.next != show::CueNext::kFollow || cue.motion < 0 || motions.empty()) return;
-    const show::Motion& motion = motions[static_cast<std::size_t>(cue.motion)];
-    if (motion.Loops())
-      section_.Fault("continue",
-                     fmt::format("\"{}\" loops and has no end: nothing can follow it", motion.name));
-  }
-
   // Levels by their names, as bits.
   std::uint32_t Release() {
     std::uint32_t levels = 0;
@@ -113,26 +81,6 @@ class CueReader {
     if (found != kNexts.end()) return static_cast<show::CueNext>(found - kNexts.begin());
     section_.Fault("continue", fmt::format("\"{}\" is none of no, continue, follow", name));
     return show::CueNext::kGo;
-  }
-
-  // One condition, and an end of its own for it: a sensor that fails must not hold the evening.
-  show::CueWait Wait() {
-    if (!section_.Has("wait_for")) return {};
-    toml::Section part = section_.Part("wait_for");
-    part.AllowOnly({"mouth_shut_s", "voice_quiet_s", "presence_s", "at_most_s"});
-    const auto given = [&part](const PersonKey& person) { return part.Has(person.key); };
-    if (std::ranges::count_if(kPersons, given) != 1) {
-      part.Fault("", "wants one of mouth_shut_s, voice_quiet_s, presence_s");
-      return {};
-    }
-    const PersonKey& person = *std::ranges::find_if(kPersons, given);
-    if (!part.Has("at_most_s"))
-      part.Fault("at_most_s", "is missing: nobody may come, and the evening must go on");
-    const float for_s = Between(part, person.key, 0, show::kLongestWait_s, " s");
-    const float at_most_s = Between(part, "at_most_s", for_s, show::kLongestWait_s, " s");
-    if (at_most_s < for_s || !(at_most_s > 0))
-      part.Fault("at_most_s", fmt::format("is {} s, shorter than what is waited for", at_most_s));
-    return {person.person, for_s, at_most_s};
   }
 
  private:
@@ -201,14 +149,14 @@ show::Cue ReadCue(Script& script, toml::Section section) {
   cue.style = read.Call("style", 1, StyleNamed);
   cue.light = read.Level("light");
   cue.present = read.Level("present");
-  cue.motion = read.Motion();
+  ReadCueMotion(script, section, cue);
   cue.release = read.Release();
   if (section.Has("life")) cue.life = LifeAt(section, "life", show::kKeepsLife);
   if (section.Has("gaze")) cue.gaze = GazeNamed(script, section, "gaze", section.Text("gaze"));
   cue.lock = IsLocked(section);
   cue.next = read.Next();
-  read.CheckFollow(cue);
-  cue.wait = read.Wait();
+  CheckFollow(script, section, cue);
+  cue.wait = ReadCueWait(script, section);
   return cue;
 }
 

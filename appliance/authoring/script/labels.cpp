@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,11 +11,11 @@
 
 #include "appliance/core/board/keys.h"
 #include "appliance/core/performance/knobs.h"
-#include "appliance/core/performance/motions.h"
 #include "appliance/core/performance/state.h"
 #include "appliance/core/roles/level_names.h"
 #include "appliance/core/roles/own_buttons.h"
 #include "drivers/base/json.h"
+#include "firmware/wire/stick_pod.h"
 
 namespace kaori::authoring {
 namespace {
@@ -123,7 +124,7 @@ const char* GroupOf(const show::Call& call, const CallLabel& label) {
   return call.mode == show::CallMode::kCall ? label.group : "";
 }
 
-json::List ButtonsJson(const std::array<show::Call, show::kButtonCount>& calls, const show::Show& show) {
+json::List ButtonsJson(std::span<const show::Call> calls, const show::Show& show) {
   json::List buttons;
   for (const show::Call& call : calls) {
     const CallLabel label = LabelOf(call, show);
@@ -132,10 +133,16 @@ json::List ButtonsJson(const std::array<show::Call, show::kButtonCount>& calls, 
   return buttons;
 }
 
-// The two joysticks do the same in every show.
-json::List SticksJson() {
-  return {json::Object{{"text", "Head"}, {"twist", "Tilt"}, {"slide", "Lean in"}},
-          json::Object{{"text", "Gaze and brows"}, {"twist", "Brows"}, {"slide", "Brows up"}}};
+// The two joysticks do the same in every show, but for what their buttons call. Only as many of these as ours have.
+json::List SticksJson(const show::Show& show) {
+  const auto buttons = [&show](std::size_t stick) {
+    const auto calls = std::span(show.stick_buttons).subspan(stick * show::kStickButtonCount);
+    return ButtonsJson(calls.first(wire::kStickPodButtons), show);
+  };
+  return {
+      json::Object{{"text", "Head"}, {"twist", "Tilt"}, {"slide", "Lean in"}, {"buttons", buttons(0)}},
+      json::Object{
+          {"text", "Gaze and brows"}, {"twist", "Brows"}, {"slide", "Brows up"}, {"buttons", buttons(1)}}};
 }
 
 // In the order in which operators find them: blinks, registered motions, scenes, and what else keys call.
@@ -245,7 +252,7 @@ json::List MotionsJson(const show::Show& show) {
   json::List motions;
   for (const show::Motion& motion : show.motions)
     motions.push_back(json::Object{{"text", Readable(motion.name)},
-                                   {"length_s", Short(performance::EndOf(motion))},
+                                   {"length_s", Short(show::EndOf(motion))},
                                    {"loops", motion.Loops()},
                                    {"take", motion.recorded},
                                    {"sound", !motion.sound.samples.empty()},
@@ -260,7 +267,7 @@ std::string LabelsJson(const show::Show& show) {
                             {"dials", DialsJson(show)},
                             {"buttons", ButtonsJson(show.buttons, show)},
                             {"second_buttons", ButtonsJson(show.second_buttons, show)},
-                            {"sticks", SticksJson()},
+                            {"sticks", SticksJson(show)},
                             {"scenes", scenes},
                             {"styles", json::ListOf(kStyles)},
                             {"keys", KeysJson(show)},

@@ -91,6 +91,14 @@ std::int32_t GazeNamed(Script& script, toml::Section& section, std::string_view 
 // life = 0.4 for all parts, or { blink = 1, glance = 0.4 }: parts that are not named are `otherwise`.
 show::LifeAmounts LifeAt(toml::Section& section, std::string_view key, float otherwise);
 
+// Parts of a cue (cue_parts.cpp). motion = "nod", or take = { name = "greeting", layer = "under", gain = 0.8,
+// from_s = 2.5 }: a take is a motion that somebody played. "none" ends what plays.
+void ReadCueMotion(Script& script, toml::Section& section, show::Cue& cue);
+// A motion that loops has no end at which something could begin.
+void CheckFollow(Script& script, toml::Section& section, const show::Cue& cue);
+// wait_for: one condition, and an end of its own for it, since a sensor that fails must not hold the evening.
+show::CueWait ReadCueWait(Script& script, toml::Section& section);
+
 // The cue list, of cues.toml. Scenes, motions, gaze targets and roles must have been read.
 void ReadCueList(Script& script, toml::Section file);
 

@@ -15,7 +15,6 @@ namespace kaori::authoring {
 
 // What a take may be.
 inline constexpr float kSlowestTake = 4, kFastestTake = 0.25F;  // Times as long as it was played.
-inline constexpr float kMostTakeGain = 2, kLeastTakeGain = 0.1F;
 inline constexpr float kLongestEase_s = 5, kShortestEase_s = 0.05F;
 inline constexpr float kLongestBlend_s = 10, kShortestBlend_s = 0.05F;
 inline constexpr float kShortestTake_s = 0.2F;

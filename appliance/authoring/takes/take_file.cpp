@@ -30,7 +30,7 @@ struct Wanted {
 constexpr Wanted kFrom{"from_s", 0, show::kLongestMotion_s, " s"},
     kTo{"to_s", 0, show::kLongestMotion_s, " s"};
 constexpr Wanted kStretchWanted{"stretch", kFastestTake, kSlowestTake, ""};
-constexpr Wanted kGainWanted{"gain", kLeastTakeGain, kMostTakeGain, ""};
+constexpr Wanted kGainWanted{"gain", show::kLeastTakeGain, show::kMostTakeGain, ""};
 constexpr Wanted kEaseWanted{"ease_s", kShortestEase_s, kLongestEase_s, " s"};
 constexpr Wanted kBlend{"blend_s", kShortestBlend_s, kLongestBlend_s, " s"};
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <string>
@@ -30,10 +31,15 @@ class FileInput final : public Input {
 Result<std::unique_ptr<Input>> OpenInput(const std::filesystem::path& file) {
   UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
   if (!fd.valid()) return FailErrno("open " + file.string());
+  return InputOf(std::move(fd), file.string());
+}
+
+Result<std::unique_ptr<Input>> InputOf(UniqueFd file, const std::string& name) {
   struct stat status {};
-  if (::fstat(fd.get(), &status) < 0) return FailErrno("look at " + file.string());
+  if (::fstat(file.get(), &status) < 0) return FailErrno("look at " + name);
   if (!S_ISREG(status.st_mode)) return FailInput("is no file", kNoBackup);
-  return std::make_unique<FileInput>(std::move(fd), file.string());
+  if (::lseek(file.get(), 0, SEEK_SET) < 0) return FailErrno("read " + name);
+  return std::make_unique<FileInput>(std::move(file), name);
 }
 
 Result<Reader> Reader::Begin(std::unique_ptr<Input> input) {

@@ -6,9 +6,11 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "appliance/core/backup/contents.h"
 #include "appliance/core/backup/sha256.h"
+#include "drivers/base/unique_fd.h"
 
 namespace kaori::backup {
 
@@ -24,6 +26,10 @@ class Input {
 // A file of a stick, or of the box. Links are not followed, and nobody is waited for. Errors: those of open(2); kNoBackup
 // for what is no regular file.
 Result<std::unique_ptr<Input>> OpenInput(const std::filesystem::path& file);
+
+// Of a file that somebody has opened for reading, from its beginning; `name` stands in errors. Errors: those of fstat(2) and
+// lseek(2); kNoBackup for what is no regular file.
+Result<std::unique_ptr<Input>> InputOf(UniqueFd file, const std::string& name);
 
 // Gets the files of a backup, in their order: for each of them Begin, Append until it is whole, End. Whoever keeps what
 // comes must not believe it before End. An error ends the reading with it.

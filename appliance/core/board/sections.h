@@ -175,7 +175,7 @@ struct Sound {
   float drift_ppm = 0;          // How much faster the voice is read than it is heard, now.
 };
 
-// The motion that was called last, for its sound. At the stamp, which is when a frame is presented, it stands
+// The motion whose sound is to be heard: of those that play one at most has one. At the stamp, which is when a frame is presented, it stands
 // at `at_s`.
 //   writer   kaori-stage at each frame while one plays, and once when it has ended
 //   readers  kaori-lips, which plays its sound; kaori-stage itself when it starts

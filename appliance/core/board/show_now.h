@@ -50,13 +50,14 @@ struct LevelShown {
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct ShowNow {
   static constexpr const char* kName = "show_now";
-  static constexpr std::size_t kMostLevels = 32, kMostRoles = 8, kMostMotions = 8;
+  static constexpr std::size_t kMostLevels = 32, kMostRoles = 8, kMostMotions = 16;
   // When the act of the active cue began, or the list where it has no acts; Time{}: it has not, or nobody
   // knows.
   Time act_began{};
   // The cue list. Cues count as the show does, from 0.
   std::int32_t cue_active = -1;  // Played last; -1: none was.
   std::int32_t cue_standby = 0;  // What GO plays next; as many as there are cues: the list is over.
+  std::int32_t cue_count = 0;    // How many there are.
   // Comes by itself in cue_left_s, or when a person does what it waits for; -1: none.
   std::int32_t cue_pending = -1;
   float cue_left_s = 0;

@@ -19,6 +19,7 @@ namespace kaori::linecheck {
 board::LineCheck ItemsFor(const show::Show& show, std::span<const std::uint8_t> role_devices,
                           const board::Snapshot& board, std::size_t screens);
 
+// So many bits of View::screens are looked at: more screens than a box drives.
 inline constexpr std::size_t kMostScreens = 8;
 
 }  // namespace kaori::linecheck

@@ -19,6 +19,7 @@ namespace kaori::linecheck {
 // What one look sees.
 struct View {
   const board::Snapshot& board;
+  // Of the loudspeaker: blocks that were played, and underruns, both counted since kaori-lips began.
   const board::Stamped<board::Sound>& sound;
   std::uint32_t screens = 0;  // Bit n: something is plugged in at screen n.
 };
@@ -32,6 +33,7 @@ class LineCheck {
   void Look(const View& view, Time now);
   // A person has seen all lamps lit. Does nothing where there are none.
   void ConfirmLamps(Time now);
+  // The result stays as it is, for whoever reads the board.
   void End() { result_.phase = board::LineCheckPhase::kEnded; }
 
   bool running() const { return result_.phase == board::LineCheckPhase::kRunning; }
@@ -55,6 +57,8 @@ class LineCheck {
     Time quiet_at{};          // When a microphone was last quiet.
     std::uint32_t xruns = 0;  // When the check began.
   };
+  // Each item is looked at by its kind: StateOf says how it stands, and writes what a person reads of it into the item
+  // (how far it went, what it was last). An item that was seen once stays seen; one that fails later is shown as failed.
   void BeginItem(const board::CheckedItem& item, Memory& memory, const View& view, Time now) const;
   board::CheckedState StateOf(board::CheckedItem& item, Memory& memory, const View& view, Time now) const;
   board::CheckedState StateOfWay(board::CheckedItem& item, Memory& memory, const View& view, Time now) const;
@@ -67,6 +71,7 @@ class LineCheck {
   board::CheckedState StateOfSound(Memory& memory, const View& view) const;
 
   board::LineCheck result_;
+  // By the number of the item in `result_`.
   std::array<Memory, board::LineCheck::kMostItems> memories_{};
   std::array<std::int32_t, 8> counts_{};  // Of the dials when it began.
   Time began_at_{}, changed_at_{};

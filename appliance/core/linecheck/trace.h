@@ -20,12 +20,17 @@ class Way {
     float step = 0.01F;
   };
 
+  // Forgets everything; the control stands at `at`.
   void Begin(float at, Time now);
+  // Where the control stands now, in the unit of `ends`: -1..1 or 0..1 of an axis, turns of a dial.
   void Follow(float at, const Ends& ends, Time now);
 
+  // How far it went down and up since Begin, in the same unit.
   float low() const { return low_; }
   float high() const { return high_; }
+  // It came to its lower end before its upper one; false until it was at either.
   bool low_first() const { return low_first_; }
+  // It was at each of the two ends, or beyond, since Begin.
   bool reached_both() const { return reached_low_ && reached_high_; }
   // More than a jitter away from where it stood.
   bool moved() const { return high_ - low_ > kSmall; }
@@ -39,6 +44,7 @@ class Way {
   static constexpr float kSmall = 0.1F;
   static constexpr std::size_t kTurns = 6;
   static constexpr Duration kJitter = std::chrono::seconds(1);
+  // Where it turned back last, oldest first: six within kJitter are no person's.
   struct Turn {
     Time at{};
     float value = 0;
@@ -56,7 +62,10 @@ class Way {
 // A button, a key or a switch.
 class Contact {
  public:
+  // Forgets everything. `pushes` is the board's counter, which wraps; `down` says whether it is held now, which counts
+  // for no push.
   void Begin(std::uint32_t pushes, bool down, Time now);
+  // The counter and the contact as the board has them now.
   void Follow(std::uint32_t pushes, bool down, Time now);
 
   // How often it was pushed since the beginning.
@@ -80,10 +89,13 @@ class Contact {
 // A counter that goes on for as long as its device works: pictures of a camera, blocks of a microphone.
 class Pulse {
  public:
+  // The counter as it stands; it counts as having gone on just now.
   void Begin(std::uint32_t count, Time now) { *this = {count, now}; }
+  // Any other count is progress: counters wrap, and begin anew with their program.
   void Follow(std::uint32_t count, Time now) {
     if (count != count_) *this = {count, now};
   }
+  // For how long it has not gone on.
   Duration stands(Time now) const { return now - since_; }
 
   Pulse() = default;

@@ -60,4 +60,15 @@ glm::vec3 HeadPose::Ahead(float distance_m) const {
   return middle_m_ + turn_ * glm::vec3(0, 0, distance_m);
 }
 
+// By directions and not by the difference of angles, which means less the farther up the eyes look.
+float LooksPast_rad(const HeadPose& pose, const std::array<scene::Gaze, 2>& gaze, glm::vec3 point_m) {
+  float most = 0;
+  for (std::size_t eye = 0; eye < gaze.size(); ++eye) {
+    const glm::vec3 looks = DirectionOf({gaze[eye].yaw_rad, gaze[eye].pitch_rad});
+    const float cosine = glm::dot(looks, DirectionOf(pose.EyeTo(eye, point_m)));
+    most = std::max(most, std::acos(std::clamp(cosine, -1.0F, 1.0F)));
+  }
+  return most;
+}
+
 }  // namespace kaori::performance

@@ -46,4 +46,7 @@ class HeadPose {
   glm::vec3 middle_m_;
 };
 
+// How far two eyes that are turned so in such a head look past a point: the angle in radians, of both the larger.
+float LooksPast_rad(const HeadPose& pose, const std::array<scene::Gaze, 2>& gaze, glm::vec3 point_m);
+
 }  // namespace kaori::performance

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appliance/core/performance/aim.h"
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/cues.h"
@@ -77,14 +78,15 @@ float StepTo(State& state, Time presented_at) {
   return static_cast<float>(Seconds(presented_at - before));
 }
 
-// The time since the last GO is that of people: a stage that was away, or a machine that hung, does not make
+// The time since the last GO, and since the last jump, is that of people: a stage that was away, or a machine that hung, does not make
 // the guard longer than it is, or a GO that was called meanwhile would be refused as a slip. Gives the time
 // since the frame before.
 float CountQuiet(State& state, Time presented_at) {
   const auto passed_s = static_cast<float>(std::max(0.0, Seconds(presented_at - state.last)));
   for (float* quiet_s : {&state.cue_run.since_refused_s, &state.since_locked_out_s})
     *quiet_s = std::min(kLongAgo_s, *quiet_s + passed_s);
-  state.go_quiet_s = std::min(kLongSinceGo_s, state.go_quiet_s + passed_s);
+  for (float* quiet_s : {&state.go_quiet_s, &state.jump_quiet_s})
+    *quiet_s = std::min(kLongSinceGo_s, *quiet_s + passed_s);
   return passed_s;
 }
 
@@ -148,6 +150,18 @@ void HangBackdrops(const Mixture& backdrops, const show::Show& show, scene::Scen
   }
 }
 
+// While a cue waits for a look: where it is in this frame is known to the next one.
+void NoteLook(State& state, const show::Show& show, const scene::Scene& scene) {
+  CueRun& run = state.cue_run;
+  run.look_off_rad = kNoLook_rad;
+  if (run.phase != CueRun::Phase::kPerson) return;
+  const show::CueWait& wait = show.cue_list.cues[static_cast<std::size_t>(run.pending)].wait;
+  if (wait.person != show::CuePerson::kGazeOn) return;
+  const HeadPose pose(scene.head, EyesAtRest(state, show), show.cast.neck_pivot);
+  const glm::vec3 at_m = show.gaze_targets[static_cast<std::size_t>(wait.target)].at_m;
+  run.look_off_rad = LooksPast_rad(pose, scene.gaze, at_m);
+}
+
 }  // namespace
 
 // Nothing was before the first scene: mixtures that begin with nothing give the called item all,
@@ -192,6 +206,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   scene.light.exposure = ValueNow(state.exposure) * At(state.shown, Knob::kLight) *
                          ValueNow(state.cue_light) * Unblacked(state) * LightAsleep(state.lobby, show);
   scene.present = ValueNow(state.present);
+  NoteLook(state, show, scene);
   performed.lamps = LitLamps(state, show);
   return performed;
 }

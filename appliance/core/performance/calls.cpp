@@ -36,12 +36,22 @@ void CallScene(State& state, const show::Show& show, std::uint16_t scene) {
   state.cue_run.standby = scene;
 }
 
-// A second call of one that loops ends it, since nothing else on the control would.
+// A second call of one that loops ends it, since nothing else on its control would.
 void CallMotion(State& state, const show::Show& show, std::int32_t motion) {
   if (show.motions[static_cast<std::size_t>(motion)].Loops() && IsPlaying(state, motion))
-    EndMotions(state);
+    EndMotion(state, motion);
   else
-    PlayMotion(state, motion);
+    PlayMotion(state, show, motion);
+}
+
+// What people and desks call. No guard is between two cues, but the same one again within the list's guard is one
+// call: desks send twice. The guard is between two calls, as that of GO.
+void CallGoTo(State& state, const show::Show& show, std::int32_t cue, float ago_s) {
+  const bool again = state.jumped_to == cue && state.jump_quiet_s - ago_s < show.cue_list.go_guard_s;
+  if (again) return;
+  state.jumped_to = cue;
+  state.jump_quiet_s = ago_s;
+  GoToCue(state, show, cue);
 }
 
 // The character's eyes, of which the left one lies on the right of the picture.
@@ -87,7 +97,7 @@ void Obey(State& state, const show::Call& call, std::uint16_t control, const sho
       CallBlink(state, static_cast<show::Blink>(call.index));
       break;
     case show::CallKind::kGoTo:
-      GoToCue(state, show, call.index);
+      CallGoTo(state, show, call.index, ago_s);
       break;
   }
 }
@@ -136,7 +146,7 @@ bool HandleCueCall(State& state, const board::Call& call, const show::Show& show
   const std::int32_t cue = CueOf(show, call.subject);
   if (cue < 0) return false;
   if (call.verb == board::CallVerb::kGoTo)
-    GoToCue(state, show, cue);
+    CallGoTo(state, show, cue, ago_s);
   else
     StandByCue(state, show, cue);
   return true;
@@ -146,8 +156,10 @@ bool HandleCueCall(State& state, const board::Call& call, const show::Show& show
 bool CallMotionFromAfar(State& state, const board::Call& call, const show::Show& show) {
   if (call.subject >= show.motions.size()) return false;
   const auto motion = static_cast<std::int32_t>(call.subject);
-  EndMotion(state, motion);
-  if (call.value > 0) PlayMotion(state, motion);
+  if (call.value > 0)
+    PlayMotion(state, show, motion);
+  else
+    EndMotion(state, motion);
   return true;
 }
 
@@ -219,12 +231,6 @@ void CallFace(State& state, std::uint16_t face, float fade_s, show::FadeCurve cu
 void CallExpression(State& state, std::uint16_t expression, float fade_s, show::FadeCurve curve) {
   EndToggles(state, show::CallKind::kExpression, fade_s);
   CallWhole(state, state.expressions, Knob::kExpression, expression, fade_s, curve);
-}
-
-// No playing voice is cut off: that would be a jump.
-void PlayMotion(State& state, std::int32_t motion) {
-  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.motion < 0; });
-  if (free != state.voices.end()) *free = {motion, 0, 1};
 }
 
 // All that fades in a scene does so in one time and one curve. Fades of their own (ItemFade) are for what

@@ -21,10 +21,6 @@ void CallFace(State& state, std::uint16_t face, float fade_s, show::FadeCurve cu
 void CallExpression(State& state, std::uint16_t expression, float fade_s,
                     show::FadeCurve curve = show::FadeCurve::kS);
 
-// Begins a registered motion of the show. No playing voice is cut off for it: that would be a jump. Eight
-// within a quarter of a second are no playing, the ninth is not heard.
-void PlayMotion(State& state, std::int32_t motion);
-
 // Sets face, expression, style, exposure and backdrop of a scene on their way, each from what it is at this
 // moment. `scene` is below show.scenes.size(). A fade of 0 changes at once.
 void EnterScene(State& state, const show::Show& show, std::uint16_t scene, float fade_s);

@@ -17,6 +17,8 @@ using Phase = CueRun::Phase;
 
 // Open less than this, of 0..1, is shut: lips that are pressed are not told from it.
 constexpr float kMouthShut = 0.08F;
+// Eyes that look less than this past a target look at it: nobody in the house sees the difference, and a stick finds it.
+constexpr float kLooksAt_rad = 4 * show::kDegree;
 
 const show::Cue& CueAt(const show::Show& show, std::int32_t index) {
   return show.cue_list.cues[static_cast<std::size_t>(index)];
@@ -41,7 +43,7 @@ float LengthOf(const show::Cue& cue, const show::Show& show) {
   for (const auto* level : {&cue.light, &cue.present})
     if (*level) length_s = std::max(length_s, (*level)->in_s);
   if (cue.motion >= 0)
-    length_s = std::max(length_s, EndOf(show.motions[static_cast<std::size_t>(cue.motion)]));
+    length_s = std::max(length_s, EndOf(show.motions[static_cast<std::size_t>(cue.motion)]) - cue.use.from_s);
   return length_s;
 }
 
@@ -56,7 +58,7 @@ void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.life) CallLife(state.life, *cue.life);
   if (cue.gaze) state.life.target = *cue.gaze;
   if (cue.motion == show::kEndsMotion) EndMotions(state);
-  if (cue.motion >= 0) PlayMotion(state, cue.motion);
+  if (cue.motion >= 0) PlayMotion(state, show, cue.motion, cue.use);
   if (cue.lock) Lock(state);
   for (std::size_t i = 0; i < show::kLevelCount; ++i)
     if ((cue.release >> i & 1U) != 0) LetGo(state, show.roles, static_cast<show::Level>(i));
@@ -105,6 +107,8 @@ bool PersonDoes(const State& state, const board::Snapshot& board, show::CuePerso
     case show::CuePerson::kPresence:
       return board.lines.source == board::SourceState::kLive &&
              board::IsOn(board.lines.value, board::Line::kPresence);
+    case show::CuePerson::kGazeOn:
+      return state.cue_run.look_off_rad <= kLooksAt_rad;
   }
   return true;
 }
@@ -241,7 +245,7 @@ void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   Fade(state.present, tracked.present, in_s);
   CallLife(state.life, tracked.life);
   state.life.target = tracked.gaze;
-  if (tracked.loop >= 0) PlayMotion(state, tracked.loop);
+  for (const show::TrackedLoop& loop : tracked.loops) PlayMotion(state, show, loop.motion, loop.use);
   run.active = end;
   run.standby = end + 1;
   run.panicking = 0;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "appliance/core/performance/ease.h"
+#include "appliance/core/performance/kept.h"
 #include "appliance/core/performance/mouth.h"
 #include "appliance/core/performance/state.h"
 
@@ -15,7 +16,8 @@ using show::Level;
 using show::MotionLayer;
 
 constexpr float kSoonestHandover_s = 1e-3F;  // Roles without a hand-over time cut; nothing is divided by 0.
-// In which a take has its levels after it has begun, and lets go before it ends.
+// In which a take has its levels after it has begun, and lets go before it ends: or longer where takes have moved
+// them far, as with hand-overs.
 constexpr float kTakesHold_s = 0.25F;
 constexpr float kLipsDrive = 0.5F;  // Of the way from the expression's mouth to that of lips or voice.
 
@@ -66,8 +68,21 @@ std::optional<Level> LevelOf(const show::MotionCurve& curve, const show::Show& s
   return std::nullopt;
 }
 
-// Keys hold lids too. The dials of the mouth keep it for as long as they are off their rest.
-bool HandHas(const State& state, Level level) {
+// How much of an expression people keep by buttons and keys, 0..1.
+float KeptOf(const State& state, std::size_t expression) {
+  float most = 0;
+  for (const Kept& kept : state.kept)
+    if (kept.call.kind == show::CallKind::kExpression && kept.call.index == expression)
+      most = std::max(most, WeightOf(kept));
+  return most;
+}
+
+// Keys hold lids too, and buttons expressions. The dials of the mouth keep it for as long as they are off their rest.
+bool HandHas(const State& state, const show::Roles& roles, Level level) {
+  const auto mix = static_cast<std::size_t>(level) - show::kNamedLevels;
+  if (level >= Level::kMix1 && mix < roles.mixes.size() &&
+      roles.mixes[mix].kind == show::CallKind::kExpression && KeptOf(state, roles.mixes[mix].index) > 0)
+    return true;
   if (level == Level::kMouthOpen) return IsMouthByDial(state);
   if (OwnerOf(state, level) == Owner::kHand) return true;
   return level == Level::kLidLeft &&
@@ -81,13 +96,14 @@ bool RemoteHas(const State& state, Level level) {
          (level == Level::kLidLeft && OwnerOf(state, Level::kLidRight) == Owner::kRemote);
 }
 
-// 0 where the curve begins and where it ends, 1 in between. A loop comes back to no earlier than `loop_from_s`.
-float Hold(const show::MotionCurve& curve, const show::Motion& motion, float at_s) {
+// 0 where the curve begins and where it ends, 1 from `hold_s` on until so long before. A loop comes back to no earlier
+// than `loop_from_s`.
+float Hold(const show::MotionCurve& curve, const show::Motion& motion, float at_s, float hold_s) {
   if (curve.keys.empty()) return 0;
   const float shortest_s = std::max(kSoonestHandover_s, motion.loop_from_s);
-  const float in_s = motion.Loops() ? std::min(kTakesHold_s, shortest_s) : kTakesHold_s;
+  const float in_s = motion.Loops() ? std::min(hold_s, shortest_s) : hold_s;
   const float in = SmoothStep((at_s - curve.keys.front().at_s) / in_s);
-  const float out = motion.Loops() ? 1 : SmoothStep((curve.keys.back().at_s - at_s) / kTakesHold_s);
+  const float out = motion.Loops() ? 1 : SmoothStep((curve.keys.back().at_s - at_s) / hold_s);
   return std::min(in, out);
 }
 
@@ -99,29 +115,59 @@ void MoveLayers(State& state, const show::Roles& roles, float dt_s) {
     LayerNow& layer = state.layers[i];
     const float span = show::InfoOf(level).high - show::InfoOf(level).low;
     const float way_s = std::max({roles.handover_s, kEaseOfRange_s * layer.moved / span, kSoonestHandover_s});
-    const bool hand = HandHas(state, level);
+    const bool hand = HandHas(state, roles, level);
     layer.over = Travel(layer.over, hand ? 0.0F : 1.0F, dt_s, 1 / way_s);
     layer.under = Travel(layer.under, hand || RemoteHas(state, level) ? 0.0F : 1.0F, dt_s, 1 / way_s);
   }
 }
 
-void ClearLayers(State& state) {
-  for (LayerNow& layer : state.layers) layer.moved = layer.has = layer.covers = 0;
+TakesFrame::TakesFrame(State& state, const show::Show& show) : state_(state), show_(show) {
+  std::ranges::transform(state_.layers, moved_before_.begin(), &LayerNow::moved);
+  for (LayerNow& layer : state_.layers) layer.moved = layer.has = layer.covers = 0;
 }
 
-float LayerShare(State& state, const show::Show& show, const show::MotionCurve& curve, const Playing& voice,
-                 float value) {
-  const show::Motion& motion = show.motions[static_cast<std::size_t>(voice.motion)];
-  if (motion.layer == MotionLayer::kAdd) return 1;
-  const auto level = LevelOf(curve, show);
-  if (!level) return 1;
-  LayerNow& layer = LayerOf(state, *level);
-  const bool over = motion.layer == MotionLayer::kOver;
-  const float share = SmoothStep(over ? layer.over : layer.under);
-  const float has = share * voice.gain * Hold(curve, motion, voice.at_s);
+void TakesFrame::Begin(const Playing& take) {
+  take_ = &take;
+  std::ranges::transform(state_.layers, before_.begin(), &LayerNow::has);
+  for (Taken& taken : taken_) taken.before = taken.has;
+}
+
+// Takes of the layer over come before the others, so that what all have had so far covers as well.
+float TakesFrame::ShareOf(const show::MotionCurve& curve, float value) {
+  if (take_->layer == MotionLayer::kAdd) return 1;
+  const show::Motion& motion = show_.motions[static_cast<std::size_t>(take_->motion)];
+  const auto level = LevelOf(curve, show_);
+  if (!level) return ShareOfExpression(curve, take_->gain * Hold(curve, motion, take_->at_s, kTakesHold_s));
+  const show::LevelInfo& info = show::InfoOf(*level);
+  const float moved = moved_before_[static_cast<std::size_t>(*level)];
+  const float hold_s = std::max(kTakesHold_s, kEaseOfRange_s * moved / (info.high - info.low));
+  const float own = take_->gain * Hold(curve, motion, take_->at_s, hold_s);
+  LayerNow& layer = LayerOf(state_, *level);
+  const bool over = take_->layer == MotionLayer::kOver;
+  const float before = before_[static_cast<std::size_t>(*level)];
+  const float share = SmoothStep(over ? layer.over : layer.under) * (1 - before);
   layer.moved = std::max(layer.moved, std::abs(value));
-  layer.has = std::max(layer.has, has);
-  if (over) layer.covers = std::max(layer.covers, has);
+  layer.has = std::clamp(before + share * own, layer.has, 1.0F);
+  if (over) layer.covers = layer.has;
+  return share;
+}
+
+TakesFrame::Taken* TakesFrame::TakenOf(std::uint16_t expression) {
+  const auto end = taken_.begin() + static_cast<std::ptrdiff_t>(taken_count_);
+  const auto found =
+      std::find_if(taken_.begin(), end, [expression](const Taken& t) { return t.expression == expression; });
+  if (found != end) return &*found;
+  if (taken_count_ == taken_.size()) return nullptr;
+  taken_[taken_count_] = {.expression = expression};
+  return &taken_[taken_count_++];
+}
+
+// Nobody has such an expression but takes and whoever keeps it by a button, which fades as it says itself.
+float TakesFrame::ShareOfExpression(const show::MotionCurve& curve, float own) {
+  Taken* taken = TakenOf(curve.channel);
+  if (taken == nullptr) return 1;
+  const float share = (1 - taken->before) * (1 - KeptOf(state_, curve.channel));
+  taken->has = std::clamp(taken->before + share * own, taken->has, 1.0F);
   return share;
 }
 

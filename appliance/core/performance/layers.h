@@ -1,10 +1,13 @@
 // Layers of takes: which of them give way to whom, level by level.
 //
 // Of those who want a level the strongest has it: what it rests at, life, takes of the layer under, a remote control,
-// lips and voice, takes of the layer over, and hands. Takes of the layer add are added to whoever has it.
+// lips and voice, takes of the layer over, and hands. Takes of the layer add are added to whoever has it. Of two takes
+// of one layer the one that was called later has it. All this is for each level, and for each expression, by itself.
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "appliance/core/show/level.h"
 #include "appliance/core/show/motion.h"
@@ -31,11 +34,37 @@ using LayersNow = std::array<LayerNow, show::kLevelCount>;
 // too.
 void MoveLayers(State& state, const show::Roles& roles, float dt_s);
 
-// Before the motions of a frame are played: nothing is had yet.
-void ClearLayers(State& state);
+// One frame of the takes that play, from the strongest to the weakest. Borrows state and show, and the take of Begin
+// until the next one. Allocates nothing.
+class TakesFrame {
+ public:
+  // Nothing is had yet.
+  TakesFrame(State& state, const show::Show& show);
 
-// How much of a curve counts, 0..1. `value` is what it adds at most, in its level's unit. Notes what it has.
-float LayerShare(State& state, const show::Show& show, const show::MotionCurve& curve, const Playing& voice,
-                 float value);
+  // What those before this one have, it has not.
+  void Begin(const Playing& take);
+
+  // How much of a curve of that take counts, 0..1. `value` is what it adds at most, in its level's unit. Notes in the
+  // state what the take has.
+  float ShareOf(const show::MotionCurve& curve, float value);
+
+ private:
+  // An expression that is no level, as far as takes have it: all of this frame, and those before this one.
+  struct Taken {
+    std::uint16_t expression = 0;
+    float has = 0, before = 0;
+  };
+  Taken* TakenOf(std::uint16_t expression);
+  float ShareOfExpression(const show::MotionCurve& curve, float own);
+
+  State& state_;
+  const show::Show& show_;
+  const Playing* take_ = nullptr;
+  std::array<float, show::kLevelCount> before_{};        // What stronger takes have of each level.
+  std::array<float, show::kLevelCount> moved_before_{};  // LayerNow::moved of the frame before.
+  // More expressions than takes move at once; what finds no room is added.
+  std::array<Taken, 64> taken_{};
+  std::size_t taken_count_ = 0;
+};
 
 }  // namespace kaori::performance

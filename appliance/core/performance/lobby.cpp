@@ -119,13 +119,16 @@ void Sleep(State& state) {
   Enter(state.lobby, LobbyPhase::kAsleep, 0);
 }
 
-// Plays the next take of a list, of which `last` was played before, and gives its length in seconds.
+// Plays the next take of a list, of which `last` was played before, in place of the lobby's takes that play yet, and
+// gives its length in seconds.
 float PlayNext(State& state, const show::Show& show, const std::vector<LobbyTake>& takes,
                std::int32_t& last) {
   if (takes.empty()) return 0;
   last = (last + 1) % static_cast<std::int32_t>(takes.size());
   const std::int32_t motion = takes[static_cast<std::size_t>(last)].motion;
-  PlayMotion(state, motion);
+  for (const auto* list : {&show.lobby->greetings, &show.lobby->stays, &show.lobby->goodbyes})
+    for (const LobbyTake& take : *list) EndMotion(state, take.motion);
+  PlayMotion(state, show, motion);
   return EndOf(show.motions[static_cast<std::size_t>(motion)]);
 }
 

@@ -17,13 +17,17 @@ struct Motion {
   face::Terms channels;
 };
 
-// Moves the playing motions on by dt_s and gives their sum, each by its layer (layers.h). When a motion is called while others play, those
-// fade out in 0.25 s. One that loops plays until another is called or EndMotions ends it.
+// Lets a motion of the show play beside those that play already. One that plays begins anew. The loudspeaker has one
+// sound at a time: a motion with a sound ends another one that has one. Where show::kMostTakes play, the oldest
+// ends, loops last. All that end do so in 0.25 s, and one that begins in its middle comes in this time.
+void PlayMotion(State& state, const show::Show& show, std::int32_t motion, const show::MotionUse& use = {});
+
+// Moves the playing motions on by dt_s and gives their sum, each by its layer (layers.h). One that loops plays until
+// something ends it.
 Motion PlayMotions(State& state, const show::Show& show, float dt_s);
 
-// The motion that was called last, which keeps its full gain; null: nothing plays. Borrowed from `state`.
-// Valid until the state changes.
-const Playing* Youngest(const State& state);
+// The motion whose sound is to be heard; null: none. Borrowed from `state`, and valid until that changes.
+const Playing* Sounding(const State& state, const show::Show& show);
 
 // Whether this motion plays and is not on its way out.
 bool IsPlaying(const State& state, std::int32_t motion);
@@ -33,9 +37,5 @@ void EndMotion(State& state, std::int32_t motion);
 
 // All that play fade out in 0.25 s.
 void EndMotions(State& state);
-
-// When the last of a motion's curves and its sound have ended, in seconds from its beginning. A loop has no
-// such end.
-float EndOf(const show::Motion& motion);
 
 }  // namespace kaori::performance

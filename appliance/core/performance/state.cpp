@@ -12,7 +12,8 @@ constexpr float kFastTurn_rad_s = 1e4F;
 // and no head is so far from its rest, in metres: leaning in is 0.12.
 constexpr float kFarShift_m = 1;
 
-constexpr float kFarMove = kVoices * show::kWidestMotion;  // All voices together, as far as a motion may go.
+constexpr float kFarMove =
+    kVoices * show::kWidestMotion * show::kMostTakeGain;  // All voices together, as far as each may go.
 
 // False for NaN too: every comparison with it is.
 bool Within(std::initializer_list<float> values, float low, float high) {
@@ -44,7 +45,8 @@ bool IsValidCueRun(const CueRun& run, const show::CueList& list) {
          run.pending >= -1 && run.pending < count && run.phase <= CueRun::Phase::kPerson &&
          waits == (run.pending >= 0) &&
          Within({run.left_s, run.held_s}, 0, show::kLongestWait_s + show::kLongestCueFade_s) &&
-         run.paused <= 1 && run.panicking <= 1 && Within({run.since_refused_s}, 0, kLongAgo_s);
+         Within({run.look_off_rad}, 0, kNoLook_rad) && run.paused <= 1 && run.panicking <= 1 &&
+         Within({run.since_refused_s}, 0, kLongAgo_s);
 }
 
 // The bounds leave room for rounding: weights were normalised once a call.
@@ -121,7 +123,7 @@ bool IsValidClocks(const State& s) {
   return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
          Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s, s.lips_lost_s}, 0, 10) &&
          Within({s.blackout}, 0, 1) && Within({s.since_locked_out_s}, 0, kLongAgo_s) &&
-         Within({s.go_quiet_s}, 0, kLongSinceGo_s) && s.locked <= 1 &&
+         Within({s.go_quiet_s, s.jump_quiet_s}, 0, kLongSinceGo_s) && s.locked <= 1 &&
          s.locked_out_button < show::kAllButtonCount && s.black_wanted <= 1 && s.black_called <= 1 &&
          Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said,
                  s.mouth_voice},
@@ -136,7 +138,8 @@ bool IsValidLayer(const LayerNow& now) {
 bool IsValidVoices(const State& s, const show::Show& show) {
   return std::ranges::all_of(s.voices, [&show](const Playing& v) {
     return v.motion < static_cast<int>(show.motions.size()) &&
-           Within({v.at_s}, 0, show::kLongestMotion_s + 1) && Within({v.gain}, 0, 1);
+           Within({v.at_s}, 0, show::kLongestMotion_s + 1) && Within({v.gain}, 0, 1) &&
+           Within({v.size}, 0, show::kMostTakeGain) && v.layer <= show::MotionLayer::kOver && v.ends <= 1;
   });
 }
 

@@ -30,17 +30,24 @@ struct StickNow {
   float lost_s = 0;    // For how long it has been gone.
 };
 
-// A registered motion that is playing. Its curves end where they begin, so that nothing jumps at either end.
+// A registered motion that is playing. Its curves end where they begin, so that nothing jumps at either end; where it
+// begins or ends in its middle, its share comes and goes.
 struct Playing {
   std::int32_t motion = -1;  // Of the show's motions; -1: nothing.
   float at_s = 0;            // From its beginning.
-  float gain = 1;            // Falls to 0 from the moment at which another motion takes over.
+  float gain = 1;            // Its share, 0..1.
+  float size = 1;            // How many times as large it plays (show::MotionUse).
+  std::uint32_t number = 0;  // Of the call, counted (State::motions_called): tells which of two is younger.
+  show::MotionLayer layer = show::MotionLayer::kAdd;
+  std::uint8_t ends = 0;  // 1: its share goes to 0, and it plays no more then.
 };
-inline constexpr int kVoices = 8;  // Of which all but one are fading out.
+inline constexpr int kVoices = 2 * show::kMostTakes;  // As many may play, and as many fade out.
 
 // All that the box plays by itself in waves begins anew after so long, on a whole number of each: a float
 // that counted on for days could not hold the step of a frame.
 inline constexpr float kLifePeriod_s = 1000;
+
+inline constexpr float kNoLook_rad = 4;  // Farther off than any look can be: there is none.
 
 // Where the cue list stands. Indices are into the show's cues.
 struct CueRun {
@@ -54,13 +61,14 @@ struct CueRun {
   std::int32_t standby = 0;   // What GO plays next; the number of cues: the list is over.
   std::int32_t pending = -1;  // The cue of the chain that comes by itself; -1: none.
   Phase phase = Phase::kIdle;
-  float left_s = 0;          // Of the phase: until `pending` begins, or until its wait for a person gives up.
-  float held_s = 0;          // For how long the person has done what the cue waits for.
-  std::uint32_t paused = 0;  // 1: waits, fades and motions stand still.
-  std::uint32_t panicking = 0;  // 1: the panic scene is on its way; a second call is at once.
-  std::uint32_t played = 0;     // GOs that were played, counted,
-  std::uint32_t refused = 0;    // and those that the guard or the end of the list refused; both wrap.
-  float since_refused_s = 10;   // Since the last one of them.
+  float left_s = 0;  // Of the phase: until `pending` begins, or until its wait for a person gives up.
+  float held_s = 0;  // For how long the person has done what the cue waits for.
+  float look_off_rad = kNoLook_rad;  // How far her eyes were from whom the cue waits for, in the last frame.
+  std::uint32_t paused = 0;          // 1: waits, fades and motions stand still.
+  std::uint32_t panicking = 0;       // 1: the panic scene is on its way; a second call is at once.
+  std::uint32_t played = 0;          // GOs that were played, counted,
+  std::uint32_t refused = 0;         // and those that the guard or the end of the list refused; both wrap.
+  float since_refused_s = 10;        // Since the last one of them.
 };
 
 // A swinging tip of hair: angle and speed, sideways and forwards.
@@ -78,7 +86,7 @@ inline constexpr float kLongSinceGo_s = 3600;
 // StickNow::lost_s and go_quiet_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 18;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 19;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -112,7 +120,8 @@ struct State {
   std::array<float, 2> blink_s{10, 10};  // Since a blink began: the character's left, right.
   std::array<float, 2> lids_held{};
   std::array<Playing, kVoices> voices;
-  LayersNow layers;  // How takes that lie under or over hands have the levels.
+  std::uint32_t motions_called = 0;  // Wraps.
+  LayersNow layers;                  // How takes that lie under or over hands have the levels.
   // What the face does by itself, and how its hair swings.
   Life life;
   Sway sway;
@@ -126,13 +135,15 @@ struct State {
   float mouth_drive = 0;  // 0: the expression's mouth .. 1: the dial's, the lips' or the voice's.
   float mouth_said = 0;   // The same of its opening, which does not wait.
   float mouth_quiet_s = 10;
-  float mouth_voice = 0;              // 0: the lips have the mouth .. 1: the voice has it.
-  float lips_lost_s = 10;             // Since the lips were seen well.
-  float blackout = 0;                 // 0 lit .. 1 black, on its way.
-  float go_quiet_s = kLongSinceGo_s;  // Since the last GO was called.
-  std::uint16_t black_called = 0;     // 1: black by a call; the switch blacks out besides.
-  std::uint16_t black_wanted = 0;     // 1: the switch is on, or was when it was lost.
-  std::uint16_t black_scene = 0;      // The scene at the last look at that switch.
+  float mouth_voice = 0;                // 0: the lips have the mouth .. 1: the voice has it.
+  float lips_lost_s = 10;               // Since the lips were seen well.
+  float blackout = 0;                   // 0 lit .. 1 black, on its way.
+  float go_quiet_s = kLongSinceGo_s;    // Since the last GO was called.
+  float jump_quiet_s = kLongSinceGo_s;  // Since somebody called a cue by its number,
+  std::int32_t jumped_to = -1;          // and which one; -1: nobody has.
+  std::uint16_t black_called = 0;       // 1: black by a call; the switch blacks out besides.
+  std::uint16_t black_wanted = 0;       // 1: the switch is on, or was when it was lost.
+  std::uint16_t black_scene = 0;        // The scene at the last look at that switch.
   // The scene that was entered last.
   std::uint16_t scene = 0;
   LobbyNow lobby;

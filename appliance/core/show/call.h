@@ -18,12 +18,16 @@ inline constexpr std::uint16_t kSheetCount = 2;  // Of buttons.
 // `index` of a call is into faces, expressions, styles or scenes, a CueVerb, a sheet, into motions, a Blink,
 // or into the cues of the list (kGoTo: a jump to that one).
 enum class CallKind : std::uint8_t {
+  // A button or a key that does nothing and is not lit.
   kNothing,
+  // What joins or takes the place of what is on, each with its own time of fade.
   kFace,
   kExpression,
   kStyle,
   kScene,
+  // GO, BACK, PANIC and the rest, as a person at the cue list calls them.
   kCue,
+  // Which of the two sheets the buttons of the dial box show.
   kSheet,
   kMotion,
   kBlink,

@@ -46,20 +46,34 @@ class CueChecker {
 };
 
 // A wait for a person needs an end of its own, so that no sensor can stop an evening.
-void CheckWait(CueChecker& check, const CueWait& wait) {
-  if (wait.person > CuePerson::kPresence) return check.Fault("it waits for nothing that is known");
+void CheckWait(CueChecker& check, const CueWait& wait, std::size_t targets) {
+  if (wait.person > CuePerson::kGazeOn) return check.Fault("it waits for nothing that is known");
   check.Within("its wait", wait.for_s, kLongestWait_s);
   check.Within("its longest wait", wait.at_most_s, kLongestWait_s);
   if (wait.person != CuePerson::kNobody && !(wait.at_most_s > 0))
     check.Fault("a wait for a person wants at_most_s, or the evening may hang");
   if (wait.for_s > wait.at_most_s && wait.person != CuePerson::kNobody)
     check.Fault("it waits longer than its longest wait");
+  if (wait.person == CuePerson::kGazeOn && (wait.target < 0 || wait.target >= static_cast<int>(targets)))
+    check.Fault(
+        fmt::format("it waits for a look at the gaze target {}, and there is none such", wait.target));
 }
 
 // A part may be kKeepsLife, which no scene has.
 void CheckLifeOf(CueChecker& check, const LifeAmounts& life) {
   for (const float amount : life)
     if (amount != kKeepsLife) check.Within("its life", amount, kMostLife);
+}
+
+// Where it begins must lie before its end, or nothing would play.
+void CheckUse(CueChecker& check, const MotionUse& use, const Motion& motion) {
+  if (use.layer && *use.layer > MotionLayer::kOver) check.Fault("the layer of its motion is not known");
+  if (!(use.gain >= kLeastTakeGain && use.gain <= kMostTakeGain))
+    check.Fault(fmt::format("the gain of its motion is {}, not within {} to {}", use.gain, kLeastTakeGain,
+                            kMostTakeGain));
+  const float end_s = motion.Loops() ? motion.loop_to_s : EndOf(motion);
+  if (!(use.from_s >= 0 && (use.from_s == 0 || use.from_s < end_s)))
+    check.Fault(fmt::format("its motion begins at {} s and ends at {} s", use.from_s, end_s));
 }
 
 // Faults name a cue by its number, by which it is found in cues.toml.
@@ -78,11 +92,13 @@ void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults
   else if (cue.next == CueNext::kFollow && cue.motion >= 0 &&
            show.motions[static_cast<std::size_t>(cue.motion)].Loops())
     check.Fault("nothing can follow it: its motion loops, and has no end");
+  if (cue.motion >= 0 && cue.motion < static_cast<int>(show.motions.size()))
+    CheckUse(check, cue.use, show.motions[static_cast<std::size_t>(cue.motion)]);
   if (cue.release >> kLevelCount != 0) check.Fault("it releases a level that is not known");
   if (cue.life) CheckLifeOf(check, *cue.life);
   if (cue.gaze) check.Gaze(*cue.gaze, show.gaze_targets.size());
   if (cue.next > CueNext::kFollow) check.Fault("what begins the next cue is not known");
-  CheckWait(check, cue.wait);
+  CheckWait(check, cue.wait, show.gaze_targets.size());
 }
 
 }  // namespace

@@ -31,10 +31,14 @@ void SetItem(TrackedState::Item& item, std::uint16_t index) {
   item = {index, item.now};
 }
 
-// A motion ends those before it; one that plays once leaves nothing behind.
-std::int32_t LoopOf(const Cue& cue, const Show& show) {
-  const bool loops = cue.motion >= 0 && show.motions[static_cast<std::size_t>(cue.motion)].Loops();
-  return loops ? cue.motion : kNoMotion;
+// Loops play on beside each other, and one that is called again begins anew. A motion that plays once leaves nothing
+// behind, but where as many loops stand as can play it ends the first, as performance::PlayMotion does.
+void AddMotion(std::vector<TrackedLoop>& loops, const Cue& cue, const Show& show) {
+  if (cue.motion == kNoMotion) return;
+  if (cue.motion == kEndsMotion) return loops.clear();
+  std::erase_if(loops, [&cue](const TrackedLoop& loop) { return loop.motion == cue.motion; });
+  if (loops.size() == kMostTakes) loops.erase(loops.begin());
+  if (show.motions[static_cast<std::size_t>(cue.motion)].Loops()) loops.push_back({cue.motion, cue.use});
 }
 
 // The order is that in which the performance plays a cue: a scene sets four items, those named beside it then
@@ -57,7 +61,7 @@ void Add(TrackedState& state, const Cue& cue, const Show& show) {
   for (std::size_t part = 0; cue.life && part < cue.life->size(); ++part)
     if ((*cue.life)[part] >= 0) state.life[part] = (*cue.life)[part];
   if (cue.gaze) state.gaze = *cue.gaze;
-  if (cue.motion != kNoMotion) state.loop = LoopOf(cue, show);
+  AddMotion(state.loops, cue, show);
 }
 
 // The first scene, as performance::Opening enters it.

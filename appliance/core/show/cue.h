@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "appliance/core/show/life.h"
+#include "appliance/core/show/motion.h"
 
 namespace kaori::show {
 
@@ -60,13 +61,15 @@ enum class CuePerson : std::uint8_t {
   kMouthShut,   // The face's mouth is shut: the operator has ended a word.
   kVoiceQuiet,  // Nobody speaks into the microphone.
   kPresence,    // Somebody stands before the box.
+  kGazeOn,      // Her eyes rest on a target: whoever plays them has brought the look there.
 };
 
 // Times are seconds, up to kLongestWait_s, and count only where there is a person.
 struct CueWait {
   CuePerson person = CuePerson::kNobody;
-  float for_s = 0;      // So long without a break.
-  float at_most_s = 0;  // Then the cue comes all the same: an evening never hangs on a sensor.
+  float for_s = 0;           // So long without a break.
+  float at_most_s = 0;       // Then the cue comes all the same: an evening never hangs on a sensor.
+  std::int32_t target = -1;  // Of the show's gaze targets, for kGazeOn alone.
 };
 
 // What a cue says of motions where it calls none: nothing, or that they end softly.
@@ -83,13 +86,21 @@ struct Cue {
   std::optional<CueCall> face{}, expression{}, style{};
   std::optional<CueLevel> light{};     // 0 black .. 1 as the scene is lit.
   std::optional<CueLevel> present{};   // 0 she has left the picture .. 1 she is there.
-  int motion = kNoMotion;              // Of the show's motions, or one of the two below 0.
+  int motion = kNoMotion;              // Of the show's motions, or one of the two below 0,
+  MotionUse use{};                     // and how it is played.
   std::uint32_t release = 0;           // Bit n: whoever has the level n (show::Level) lets go of it.
   std::optional<LifeAmounts> life{};   // Parts that are kKeepsLife stay as they were.
   std::optional<std::int32_t> gaze{};  // Whom she looks at, of the show's targets, or kNoTarget.
   bool lock = false;                   // The show is locked from then on; only the service key unlocks it.
   CueNext next = CueNext::kGo;
   CueWait wait{};
+};
+
+// A motion that plays on until something ends it.
+struct TrackedLoop {
+  int motion = kNoMotion;
+  MotionUse use{};
+  bool operator==(const TrackedLoop&) const = default;
 };
 
 // What stands when everything up to a cue has been played and all fades have run.
@@ -104,7 +115,7 @@ struct TrackedState {
   float present = 1;
   LifeAmounts life = kWholeLife;
   std::int32_t gaze = kNoTarget;
-  std::int32_t loop = kNoMotion;  // The motion that plays on until something ends it.
+  std::vector<TrackedLoop> loops{};  // The one that was called first stands first; kMostTakes at most.
   bool operator==(const TrackedState&) const = default;
 };
 

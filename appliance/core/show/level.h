@@ -13,20 +13,25 @@ namespace kaori::show {
 // The first eight are those of the dial box in the order of its dials. They stay where they were put; the
 // others go back to their rest when nobody has them.
 enum class Level : std::uint8_t {
+  // How much of what was called last is seen, the rest being what was called before.
   kFace,
   kExpression,
+  // How strong expressions are, and how many seconds a call of a face, an expression or a style takes.
   kStrength,
   kFade,
+  // The mouth where no lips and no voice move it.
   kMouthOpen,
   kMouthWidth,
   kLife,
   kLight,
+  // Degrees in files, radians here; lean is towards the audience, in centimetres and metres.
   kHeadYaw,
   kHeadPitch,
   kHeadRoll,
   kHeadLean,
   kGazeYaw,
   kGazePitch,
+  // Of the whole face: brows from a frown to raised, and each lid by itself, from open to shut.
   kBrow,
   kLidLeft,
   kLidRight,

@@ -39,6 +39,15 @@ float Through(std::span<const MotionKey> keys, std::size_t i, float t) {
 
 }  // namespace
 
+float EndOf(const Motion& motion) {
+  const auto frames =
+      static_cast<float>(motion.sound.samples.size()) / static_cast<float>(motion.sound.channels);
+  float end_s = frames / static_cast<float>(kSoundRate_hz);
+  for (const MotionCurve& curve : motion.curves)
+    if (!curve.keys.empty()) end_s = std::max(end_s, curve.keys.back().at_s);
+  return end_s;
+}
+
 float ValueAt(std::span<const MotionKey> keys, bool recorded, float at_s) {
   const auto next = std::ranges::upper_bound(keys, at_s, {}, &MotionKey::at_s);
   if (next == keys.begin() || next == keys.end()) return 0;

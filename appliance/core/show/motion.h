@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,8 @@ namespace kaori::show {
 inline constexpr float kLongestMotion_s = 600;
 inline constexpr float kWidestMotion = 4;  // Radians, metres, or a weight: face::kHeaviest.
 inline constexpr float kShortestLoop_s = 0.5F;
+inline constexpr int kMostTakes = 8;  // That play at once, each at its full gain; one more ends the oldest.
+inline constexpr float kLeastTakeGain = 0.1F, kMostTakeGain = 2;  // Of a take's file and of a cue.
 
 enum class MotionTarget : std::uint8_t {
   kHeadYaw,
@@ -53,8 +56,16 @@ enum class MotionLayer : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 3> kMotionLayerNames{"add", "under", "over"};
 
-// Called by a key, a button or a cue; while others play they fade out, and this one plays its curves beside
-// what the operators move, as its layer says.
+// How one call plays a motion, where it says more than its name.
+struct MotionUse {
+  std::optional<MotionLayer> layer{};  // Nothing: the motion's own.
+  float gain = 1;                      // Times as large, kLeastTakeGain..kMostTakeGain.
+  float from_s = 0;                    // Where it begins, in seconds of the motion as it is played.
+  bool operator==(const MotionUse&) const = default;
+};
+
+// Called by a key, a button or a cue; up to kMostTakes play at once, each beside what the operators move, as its
+// layer says.
 struct Motion {
   std::string name;
   // HID keyboard usage that plays it; 0: no key does.
@@ -72,6 +83,10 @@ struct Motion {
 
   bool Loops() const { return loop_to_s > loop_from_s; }
 };
+
+// When the last of a motion's curves and its sound have ended, in seconds from its beginning, so that its last
+// word is not cut off. A loop has no such end.
+float EndOf(const Motion& motion);
 
 // A curve at a time; 0 before its first key, and from its last one on. `recorded` is that of the motion:
 // false, the value eases in and out between two keys; true, it follows a cubic whose slope at each key is

@@ -6,13 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "appliance/core/show/pack_keys.h"
 #include "appliance/core/show/show.h"
 #include "drivers/base/result.h"
 
 namespace kaori::show {
 
-// The bytes of a show's content, of which DecodeContent is the inverse. Pure.
-std::vector<std::uint8_t> EncodeContent(const Show& show);
+// The bytes of a show's content, with pictures of keys where there are some; DecodeContent and DecodeKeys are the
+// inverse. Pure.
+std::vector<std::uint8_t> EncodeContent(const Show& show, const std::vector<KeyPicture>& keys = {});
 
 // Safe for any bytes; `content` starts at a multiple of 16. Copies everything out, and never more bytes than
 // the content has: a forged one in which tables share their arrays is refused, not unfolded. But where
@@ -22,6 +24,9 @@ std::vector<std::uint8_t> EncodeContent(const Show& show);
 // A null keeper copies the textures as well.
 Result<Show> DecodeContent(std::span<const std::uint8_t> content,
                            std::shared_ptr<const void> keeper = nullptr);
+
+// The pictures of keys alone; as DecodeContent. Errors: also invalid_argument (more than the bounds of pack_keys.h).
+Result<std::vector<KeyPicture>> DecodeKeys(std::span<const std::uint8_t> content);
 
 // The sounds of its motions alone, in their order; as DecodeContent.
 Result<std::vector<Sound>> DecodeSounds(std::span<const std::uint8_t> content);

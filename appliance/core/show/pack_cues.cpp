@@ -5,6 +5,7 @@ namespace {
 
 // As pack.fbs has it.
 constexpr std::int32_t kSetsNoGaze = -2;
+constexpr std::int32_t kOwnLayer = -1;
 
 // A cue sets only what it names: what is absent here is absent in the pack.
 std::optional<pack::CueCall> Stored(const std::optional<CueCall>& call) {
@@ -44,6 +45,15 @@ std::optional<LifeAmounts> Held(const pack::LifeAmounts* life) {
   return AsHeld<pack::LifeAmounts, LifeAmounts>(*life);
 }
 
+// The layer is narrowed as all kinds are: CheckShow refuses one that is not known.
+MotionUse UseOf(const pack::Cue& stored) {
+  MotionUse use{.gain = stored.motion_gain(), .from_s = stored.motion_from_s()};
+  if (stored.motion_layer() != kOwnLayer)
+    use.layer =
+        static_cast<MotionLayer>(Narrow<std::uint8_t>(static_cast<std::uint32_t>(stored.motion_layer())));
+  return use;
+}
+
 // Texts are made before the table that names them (pack_writer.cpp). A gaze has no struct that could be
 // absent: a number of its own says that the cue sets none.
 flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, const Cue& cue) {
@@ -59,7 +69,9 @@ flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, cons
                          Address(expression), Address(style), Address(light), Address(present), cue.motion,
                          static_cast<std::uint32_t>(cue.next), static_cast<std::uint32_t>(cue.wait.person),
                          cue.wait.for_s, cue.wait.at_most_s, cue.release, Address(life),
-                         cue.gaze.value_or(kSetsNoGaze), cue.lock);
+                         cue.gaze.value_or(kSetsNoGaze), cue.lock,
+                         cue.use.layer ? static_cast<std::int32_t>(*cue.use.layer) : kOwnLayer, cue.use.gain,
+                         cue.use.from_s, cue.wait.target);
 }
 
 // Whether indices and numbers mean anything is for CheckShow, which sees the whole show.
@@ -76,13 +88,14 @@ Cue ReadCue(Copier& from, const pack::Cue& stored) {
           .light = Held(stored.light()),
           .present = Held(stored.present()),
           .motion = stored.motion(),
+          .use = UseOf(stored),
           .release = stored.release(),
           .life = Held(stored.life()),
           .gaze = stored.gaze() == kSetsNoGaze ? std::nullopt : std::optional(stored.gaze()),
           .lock = stored.lock(),
           .next = static_cast<CueNext>(Narrow<std::uint8_t>(stored.next())),
           .wait = {static_cast<CuePerson>(Narrow<std::uint8_t>(stored.wait_person())), stored.wait_for_s(),
-                   stored.wait_at_most_s()}};
+                   stored.wait_at_most_s(), stored.wait_target()}};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/core/show/pack_container.h"
 #include "appliance/core/show/pack_content.h"
+#include "appliance/core/show/pack_keys.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
@@ -166,6 +167,13 @@ Result<Content> OpenContent(const std::string& name, const LoadOptions& options)
   return Content{std::move(*pages), options.on_verified_root ? kPackHeader_bytes : 0, seal->content_bytes};
 }
 
+// Header and content are written one behind the other; EncodePack would copy both into one buffer first.
+Result<void> SaveContent(std::span<const std::uint8_t> content, const std::filesystem::path& file,
+                         const SecretKey* signer) {
+  const PackHeader header = MakeHeader(content, signer);
+  return WriteWholeFile(file, {header, content});
+}
+
 // CheckShow does not see sounds that are read alone, so that what the player divides by is looked at here.
 bool IsSound(const Sound& sound) {
   return (sound.channels == 1 || sound.channels == 2) &&
@@ -203,6 +211,18 @@ Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const L
   return sounds;
 }
 
+// The pictures first: they are copied out, and the show keeps the content for its textures.
+Result<ShowWithKeys> LoadPackWithKeys(const std::filesystem::path& file, const LoadOptions& options) {
+  const std::string name = file.string();
+  auto content = OpenContent(name, options);
+  if (!content) return tl::unexpected(content.error());
+  auto keys = DecodeKeys(content->bytes());
+  if (!keys) return Refuse(name, keys.error());
+  auto show = DecodeChecked(std::move(*content), name);
+  if (!show) return tl::unexpected(show.error());
+  return ShowWithKeys{std::move(*show), std::move(*keys)};
+}
+
 Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file) {
   const auto open = Open(file.string());
   if (!open) return tl::unexpected(open.error());
@@ -220,11 +240,13 @@ std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer) 
   return bytes;
 }
 
-// Header and content are written one behind the other; EncodePack would copy both into one buffer first.
 Result<void> SavePack(const Show& show, const std::filesystem::path& file, const SecretKey* signer) {
-  const auto content = EncodeContent(show);
-  const PackHeader header = MakeHeader(content, signer);
-  return WriteWholeFile(file, {header, content});
+  return SaveContent(EncodeContent(show), file, signer);
+}
+
+Result<void> SavePackWithKeys(const ShowWithKeys& whole, const std::filesystem::path& file,
+                              const SecretKey* signer) {
+  return SaveContent(EncodeContent(whole.show, whole.keys), file, signer);
 }
 
 // One copy in memory is checked, signed and written, so that nobody can change it in between.

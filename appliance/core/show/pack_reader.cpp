@@ -124,6 +124,10 @@ face::Texture ReadTexture(Copier& from, const pack::Texture& stored) {
   return {stored.width_px(), stored.height_px(), from.Texels(stored.rgba())};
 }
 
+KeyPicture ReadKeyPicture(Copier& from, const pack::KeyPicture& stored) {
+  return {stored.key_px(), stored.call(), stored.is_lit(), from.Numbers(stored.file())};
+}
+
 // A number of channels that is none is refused by CheckShow, and by IsSound where sounds alone are read.
 Sound ReadSound(Copier& from, const pack::Motion& stored) {
   return {static_cast<int>(Narrow<std::uint8_t>(stored.sound_channels())), from.Numbers(stored.sound())};
@@ -241,6 +245,22 @@ auto Decode(std::span<const std::uint8_t> content, std::shared_ptr<const void> k
 
 Result<Show> DecodeContent(std::span<const std::uint8_t> content, std::shared_ptr<const void> keeper) {
   return Decode(content, std::move(keeper), Read);
+}
+
+// Bounds are looked at after the copy, which is never larger than the content.
+Result<std::vector<KeyPicture>> DecodeKeys(std::span<const std::uint8_t> content) {
+  auto keys = Decode(content, nullptr, [](Copier& from, const pack::Pack& stored) {
+    return from.Tables<KeyPicture>(stored.key_pictures(), ReadKeyPicture);
+  });
+  std::size_t bytes = 0;
+  bool fits = !keys || keys->size() <= kMostKeyPictures;
+  for (const KeyPicture& key : keys.value_or(std::vector<KeyPicture>{})) {
+    fits &= key.file.size() <= kMostKeyPicture_bytes;
+    bytes += key.file.size();
+  }
+  if (!fits || bytes > kMostKeyPictures_bytes)
+    return FailInput("has too many pictures of keys, or too large ones");
+  return keys;
 }
 
 Result<std::vector<Sound>> DecodeSounds(std::span<const std::uint8_t> content) {

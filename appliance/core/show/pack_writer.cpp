@@ -135,6 +135,7 @@ Offset<pack::MotionCurve> Write(FlatBufferBuilder& to, const MotionCurve& curve)
 Offset<pack::Motion> Write(FlatBufferBuilder& to, const Motion& motion);
 Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene);
 Offset<pack::GazeTarget> Write(FlatBufferBuilder& to, const GazeTarget& target);
+Offset<pack::KeyPicture> Write(FlatBufferBuilder& to, const KeyPicture& key);
 
 // A vector of tables; offsets are those that Write gave for each.
 template <class T>
@@ -170,9 +171,14 @@ Offset<pack::GazeTarget> Write(FlatBufferBuilder& to, const GazeTarget& target) 
   return pack::CreateGazeTarget(to, name, &at);
 }
 
+Offset<pack::KeyPicture> Write(FlatBufferBuilder& to, const KeyPicture& key) {
+  const auto file = to.CreateVector(key.file);
+  return pack::CreateKeyPicture(to, key.key_px, key.call, key.is_lit, file);
+}
+
 // Arguments stand in the order of the fields in pack.fbs, which grows at its end alone: a field in between
 // would renumber all behind it, and older packs would be misread.
-Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
+Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show, const std::vector<KeyPicture>& pictures) {
   const auto name = to.CreateString(show.name);
   const auto topology = Write(to, show.cast.topology);
   const auto net = Write(to, show.cast.net);
@@ -198,20 +204,23 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto expression_fades = Structs<pack::ItemFade>(to, show.expression_fades);
   const auto lobby = WriteLobby(to, show.lobby);
   const auto stick_buttons = to.CreateVectorOfStructs(StoredCalls(show.stick_buttons));
+  // Absent where there are none, so that such a show gives the same bytes as before.
+  Offset<flatbuffers::Vector<Offset<pack::KeyPicture>>> key_pictures;
+  if (!pictures.empty()) key_pictures = WriteAll(to, pictures);
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, motions, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
                           show.channels.lids_down, mouth, blink, keys, cue_list, roles, gaze_targets,
-                          face_fades, expression_fades, lobby, stick_buttons);
+                          face_fades, expression_fades, lobby, stick_buttons, key_pictures);
 }
 
 }  // namespace
 
 // A copy, since the builder keeps the content at the end of a larger buffer.
-std::vector<std::uint8_t> EncodeContent(const Show& show) {
+std::vector<std::uint8_t> EncodeContent(const Show& show, const std::vector<KeyPicture>& keys) {
   FlatBufferBuilder to(kFirstGuessBytes);
-  pack::FinishPackBuffer(to, Write(to, show));
+  pack::FinishPackBuffer(to, Write(to, show, keys));
   return {to.GetBufferPointer(), to.GetBufferPointer() + to.GetSize()};
 }
 

@@ -20,6 +20,7 @@ namespace kaori::show {
 inline constexpr std::size_t kMostRoles = 8;
 inline constexpr std::size_t kMostRoleMaps = 64;  // Of all roles together: State has room for each.
 inline constexpr std::size_t kMostCurvePoints = 16;
+// A hand-over that takes longer than this is a fade, which cues have.
 inline constexpr float kLongestHandover_s = 10;
 inline constexpr float kMostDead = 0.9F;  // Of a control's way from its middle, or from its beginning.
 inline constexpr float kFlattestCurve = 0.1F, kSteepestCurve = 10;
@@ -76,6 +77,7 @@ struct RoleMap {
 
 struct Role {
   std::string name;
+  // From what it is played when the show begins; learn mode and the box's own file may move it.
   Device device{};
   std::vector<RoleMap> maps;  // Those of one level stand together; they add up.
 };

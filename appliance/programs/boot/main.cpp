@@ -27,6 +27,7 @@
 #include "appliance/programs/boot/pc_faults.h"
 #include "appliance/programs/boot/pipe.h"
 #include "appliance/programs/boot/profile.h"
+#include "appliance/programs/boot/report.h"
 #include "appliance/programs/boot/reset.h"
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
@@ -117,17 +118,7 @@ void GiveCards() {
   if (::chown(kRenderNode, 0, kRender) == 0) ::chmod(kRenderNode, kGroupsToo);
 }
 
-// What it reported, for whoever reads the box's status.
-std::string g_faults;
-
-// Writes to the kernel's log, as a warning, which the journal reads. Nothing of it comes to the show's
-// screens. There is no journal yet. One write is one record of /dev/kmsg, and "<4>" is its severity.
-void Report(const std::string& line) {
-  g_faults += line + "\n";
-  const std::string record = "<4>kaori-boot: " + line + "\n";
-  const UniqueFd log(::open("/dev/kmsg", O_WRONLY | O_CLOEXEC));
-  [[maybe_unused]] const auto written = ::write(log.get(), record.data(), record.size());
-}
+using kaori::boot::Report, kaori::boot::Trouble;
 
 // Nothing that is kept may bring devices, rights or programs with it.
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
@@ -147,7 +138,8 @@ bool MountData() {
   ::mount("proc", "/proc", "proc", kPlainMount, nullptr);
   ::mount("sysfs", "/sys", "sysfs", kPlainMount, nullptr);
   const auto partition = kaori::PartitionBesideRoot("/sys/class/block", "data");
-  if (!partition) return Report("there is no data partition beside the root: nothing is kept"), false;
+  if (!partition)
+    return Report("there is no data partition beside the root: nothing is kept", Trouble::kData), false;
   const std::string device = "/dev/" + *partition;
   const auto mounts = [&](const char* options) {
     return ::mount(device.c_str(), kData, "ext4", kPlainMount, options) == 0;
@@ -155,9 +147,11 @@ bool MountData() {
   const auto* const by = std::ranges::find_if(kSuperblocks, mounts);
   if (by == kSuperblocks.begin()) return true;
   if (by != kSuperblocks.end())
-    return Report("the data partition " + device + " has lost its first superblock and is mounted by a copy"),
+    return Report("the data partition " + device + " has lost its first superblock and is mounted by a copy",
+                  Trouble::kData),
            true;
-  Report("the data partition " + device + " cannot be mounted: nothing is kept until the service key is on");
+  Report("the data partition " + device + " cannot be mounted: nothing is kept until the service key is on",
+         Trouble::kData);
   g_ruined = device;
   return false;
 }
@@ -165,8 +159,9 @@ bool MountData() {
 // Before anybody reads what it changes. One that cannot be finished is tried again at each start.
 void Restore() {
   const auto restored = kaori::restore::FinishRestore(kData);
-  if (!restored) Report("the restore is not done: " + restored.error().message());
-  if (restored.value_or(false)) Report("the backup is restored; what was there before is kept");
+  if (!restored) Report("the restore is not done: " + restored.error().message(), Trouble::kNotRestored);
+  if (restored.value_or(false))
+    Report("the backup is restored; what was there before is kept", Trouble::kRestored);
 }
 
 // Reads ahead in a process of its own, while a processor has nothing else to do; at most half of the free
@@ -191,7 +186,7 @@ void WriteSetting(const std::string& name, std::string_view text) {
 // `network` lies there where the box has an address, and lets systemd start the desk with the service key.
 void JoinNetwork(const kaori::boot::NetworkAddress& address) {
   const auto joined = kaori::boot::JoinNetwork(address, "/sys/class/net", "/run/systemd/system");
-  if (!joined) return Report("the box has no network: " + joined.error().message());
+  if (!joined) return Report("the box has no network: " + joined.error().message(), Trouble::kNetwork);
   WriteSetting("network", NetworkOf(address) + "\n");
 }
 
@@ -200,8 +195,8 @@ void JoinNetwork(const kaori::boot::NetworkAddress& address) {
 // the technicians' and the operators', and what the status says. Returns the name that the settings give the box, or nothing.
 std::string ApplySettings() {
   auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
-  if (!profile.fault.empty()) Report(profile.fault);
-  if (const auto fault = DropUnknownZone(profile, kZones); !fault.empty()) Report(fault);
+  if (!profile.fault.empty()) Report(profile.fault, Trouble::kSettings);
+  if (const auto fault = DropUnknownZone(profile, kZones); !fault.empty()) Report(fault, Trouble::kSettings);
   ::mount("tmpfs", "/run", "tmpfs", MS_NODEV | MS_NOSUID | MS_STRICTATIME, "mode=755,size=20%");
   ::mkdir(kProfiles, 0755);
   WriteSetting(profile.name, {});
@@ -214,7 +209,7 @@ std::string ApplySettings() {
   WriteSetting("root_hash", kaori::boot::RootHashOf(command_line));
   WriteSetting("slot", kaori::boot::SlotOf(command_line));
   if (profile.network) JoinNetwork(*profile.network);
-  WriteSetting("faults", g_faults);
+  WriteSetting("faults", kaori::boot::Reported());
   if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
   return profile.box_name;
 }
@@ -265,7 +260,7 @@ void Boot() {
   if (keeps) Restore();
   mounted->write_end.reset();
   GiveCards();
-  for (const std::string& fault : kaori::boot::PcFaults(kStill, kData)) Report(fault);
+  for (const auto& [line, trouble] : kaori::boot::PcFaults(kStill, kData)) Report(line, trouble);
   const std::string wanted_name = ApplySettings();
   KeepMedium();
   if (keeps) ApplyIdentity(wanted_name);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <string>
+#include <utility>
 
 #include "appliance/programs/boot/clock_floor.h"
 #include "appliance/programs/boot/graphics_fault.h"
@@ -41,9 +43,12 @@ std::string MendClock(const std::filesystem::path& of_image, const std::filesyst
 
 }  // namespace
 
-std::vector<std::string> PcFaults(const std::filesystem::path& of_image, const std::filesystem::path& kept) {
-  auto faults = GraphicsFaults(UndrivenCards("/sys/bus/pci/devices"), WantedFirmware(KernelLog()));
-  if (auto clock = MendClock(of_image, kept); !clock.empty()) faults.push_back(std::move(clock));
+std::vector<Fault> PcFaults(const std::filesystem::path& of_image, const std::filesystem::path& kept) {
+  std::vector<Fault> faults;
+  for (std::string& line : GraphicsFaults(UndrivenCards("/sys/bus/pci/devices"), WantedFirmware(KernelLog())))
+    faults.push_back({std::move(line), Trouble::kGraphics});
+  if (auto clock = MendClock(of_image, kept); !clock.empty())
+    faults.push_back({std::move(clock), Trouble::kClock});
   return faults;
 }
 

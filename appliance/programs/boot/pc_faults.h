@@ -2,8 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
+
+#include "appliance/programs/boot/report.h"
 
 namespace kaori::boot {
 
@@ -11,6 +12,6 @@ namespace kaori::boot {
 // set as MendedClock says; the PC's own clock is left to a person, since whether its battery keeps anything is not known.
 // Graphics are asked last of all drivers: these have had the files that they wanted, or not. Blocks for the disk on which
 // `kept` lies. Needs /sys.
-std::vector<std::string> PcFaults(const std::filesystem::path& of_image, const std::filesystem::path& kept);
+std::vector<Fault> PcFaults(const std::filesystem::path& of_image, const std::filesystem::path& kept);
 
 }  // namespace kaori::boot

@@ -7,6 +7,7 @@
 
 #include "appliance/programs/desk/page.h"
 #include "appliance/programs/desk/status_png.h"
+#include "appliance/programs/shows/protocol/protocol.h"
 #include "drivers/base/log.h"
 
 namespace kaori::desk {
@@ -27,6 +28,8 @@ constexpr int kQuality = 80;
 
 constexpr const char* kText = "text/plain; charset=utf-8";
 constexpr const char* kJson = "application/json";
+constexpr const char* kEvents = "text/event-stream";
+constexpr const char* kReconnect = "retry: 500\n\n";
 constexpr std::string_view kCookie = "kaori-desk=";
 constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
                                                                  "/picture/mask"};
@@ -60,7 +63,10 @@ Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::
       clock_(clock),
       pairing_(clock),
       lips_(lips::ServicePath(board.path())),
-      states_("text/event-stream", "retry: 500\n\n") {
+      box_(options_.shows),
+      brought_(options_.brought),
+      states_(kEvents, kReconnect),
+      boxes_(kEvents, kReconnect) {
   address_ = options_.reach == web::Reach::kNetwork ? OwnAddress() : 0x7F000001U;
 }
 
@@ -76,6 +82,7 @@ Result<std::unique_ptr<Desk>> Desk::Open(DeskOptions options, const board::Board
       {.port = desk->options_.port,
        .reach = desk->options_.reach,
        .certificate = desk->options_.certificate,
+       .most_body_bytes = shows::kLongestRequest_bytes,
        .guard = [rules =
                      OriginRules{OwnNames(), secure}](const web::Visitor& v) { return Refusal(v, rules); }},
       loop, clock, [self = desk.get()](const Request& request) { return self->Answer(request); });
@@ -95,12 +102,15 @@ std::string Desk::address() const {
 void Desk::Step() {
   const Time now = clock_.now();
   lips_.Step(now);
+  box_.Step(now);
   if (std::exchange(dismiss_, false)) {
     for (auto& feed : pictures_) feed.Dismiss();
     states_.Dismiss();
+    boxes_.Dismiss();
   }
   SendPictures(now);
   SendState(now);
+  SendBox(now);
   PublishCode(now);
   server_->Run();
 }
@@ -173,10 +183,14 @@ web::HttpServer::Answer Desk::Answer(const Request& request) {
 web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
   if (request.method == "POST") {
     if (request.path == "/do") return ExecuteCommand(request);
+    if (request.path == "/box") return AskBox(request);
+    if (request.path.starts_with(kBroughtPath)) return AcceptPart(request);
     if (request.path == "/leave") return EndSession(request);
     return NotFound(request.path);
   }
   if (request.path == "/state") return Reply{200, kJson, State()};
+  if (request.path == "/box") return Box();
+  if (request.path == "/backup") return Backup();
   if (request.path == "/status.png") return Status();
   if (web::Feed* feed = FeedOf(request.path)) return feed;
   return NotFound(request.path);
@@ -192,6 +206,7 @@ Reply Desk::Status() {
 // Null for any other path.
 web::Feed* Desk::FeedOf(const std::string& path) {
   if (path == "/events") return &states_;
+  if (path == "/box/events") return &boxes_;
   const auto* at = std::ranges::find(kPicturePaths, path);
   return at == kPicturePaths.end() ? nullptr
                                    : &pictures_[static_cast<std::size_t>(at - kPicturePaths.begin())];

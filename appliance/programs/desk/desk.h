@@ -1,9 +1,15 @@
-// The desk: a web page on which the lips are calibrated, before and between shows. It is a program of its
+// The desk: a web page on which the lips are calibrated, shows are taken and settings are seen and changed, before and between
+// shows. It is a program of its
 // own, since it talks to browsers of any visitor: whatever happens to it, stage, input and lips go on.
 //
 //   GET  /hello                 {"paired": bool}; shows the code where not paired
 //   POST /pair                  body: the six digits; 204 and a cookie, 403, or 429
 //   POST /do                    body: a command of lips/protocol without its number; {"number": n}
+//   GET  /box, /box/events      the box's list and settings (shows/protocol), once or as an event stream
+//   POST /box                   body: a request of shows/protocol; 204, 400 for none, 503 while kaori-shows is away
+//   GET  /backup                the backup that was made last, as a file
+//   POST /brought/BYTE          body: the part that begins at this byte of a backup that is brought; 204, 409 for another one, 507
+//                               without room; "restore NAME" to /box then hands it on
 //   POST /leave                 ends the session
 //   GET  /state, /events        state_json.h, once or as an event stream
 //   GET  /picture[/both|/mask]  the camera's picture as a stream of JPEG (multipart/x-mixed-replace)
@@ -13,11 +19,14 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "appliance/core/board/board.h"
+#include "appliance/programs/desk/box_connection.h"
+#include "appliance/programs/desk/brought_file.h"
 #include "appliance/programs/desk/lip_connection.h"
 #include "appliance/programs/desk/origin_check.h"
 #include "appliance/programs/desk/pairing.h"
@@ -29,6 +38,9 @@
 
 namespace kaori::desk {
 
+// In front of the byte at which a part begins that a visitor brings.
+inline constexpr std::string_view kBroughtPath = "/brought/";
+
 // Without a certificate the desk serves plain HTTP, which is for tests.
 struct DeskOptions {
   // 0 stands for any free port; Desk::address() then tells it.
@@ -37,6 +49,10 @@ struct DeskOptions {
   std::optional<web::Certificate> certificate{};
   // The fingerprint of the certificate; see OwnCertificate.
   std::uint32_t fingerprint = 0;
+  // Where kaori-shows listens; empty: the page says that it is away.
+  std::string shows{};
+  // Where a backup lies while a visitor brings it; empty: none can be brought.
+  std::filesystem::path brought{};
 };
 
 // Every visitor gets the page; only one who typed the code on the box's screen sees pictures or changes
@@ -75,6 +91,12 @@ class Desk {
   web::Reply EndSession(const web::Request& request);
   // Hands a command on to the lips; 400 for one that is none, 503 where the lips are gone.
   web::Reply ExecuteCommand(const web::Request& request);
+  // The state of the box's list and settings, and what a visitor wants of it.
+  web::Reply Box() const;
+  web::Reply AskBox(const web::Request& request);
+  // A backup that goes out, and the parts of one that comes in.
+  web::Reply Backup() const;
+  web::Reply AcceptPart(const web::Request& request);
   // Says whether the visitor is paired, and shows the code to one who is not.
   web::Reply Hello(bool paired);
   web::Reply Status();
@@ -85,6 +107,7 @@ class Desk {
   // Each sends to its feeds what is due, and nothing where nobody listens.
   void SendPictures(Time now);
   void SendState(Time now);
+  void SendBox(Time now);
   // Writes the section `desk`, for the stage to show.
   void PublishCode(Time now);
 
@@ -94,6 +117,8 @@ class Desk {
   const Clock& clock_;
   Pairing pairing_;
   LipConnection lips_;
+  BoxConnection box_;
+  BroughtFile brought_;
   web::JpegEncoder jpeg_;
   // The view that is being encoded; reused from picture to picture.
   std::vector<std::uint8_t> composed_;
@@ -101,6 +126,10 @@ class Desk {
   // The number of the picture that each feed sent last.
   std::array<std::uint32_t, kViewCount> sent_{};
   web::Feed states_;
+  // The same of the box, and what was sent of it last.
+  web::Feed boxes_;
+  std::string box_state_;
+  Time box_at_{};
   // The state that was sent last, when, and when the code was written last.
   std::string state_;
   Time state_at_{};

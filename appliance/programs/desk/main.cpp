@@ -1,4 +1,4 @@
-// kaori-desk: serves the page on which the lips are calibrated, in the service profile only.
+// kaori-desk: serves the page on which the lips are calibrated and the box is set up, in the service profile only.
 //
 // One thread and one event loop, in which libmicrohttpd runs too. It runs in service only: in a show there is
 // no page and no open port.
@@ -15,6 +15,7 @@
 #include "appliance/core/board/watch.h"
 #include "appliance/programs/desk/certificate.h"
 #include "appliance/programs/desk/desk.h"
+#include "appliance/programs/shows/protocol/protocol.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/number.h"
@@ -28,12 +29,13 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::string_view kHelp =
-    R"(kaori-desk: serves the page on which the lips are calibrated, before and between shows
+    R"(kaori-desk: serves the page on which the lips are calibrated and the box is set up, before and between shows
 
   --service            the box is in service; without this option the program ends at once
   --board FILE         the board, shared with the other programs
   --port PORT          the port of the page (8443); 0 uses any free one
   --data FOLDER        the folder of the certificate (/var/lib/kaori if it exists, else $XDG_STATE_HOME/kaori)
+  --box SOCKET         where kaori-shows listens, whose list the page shows (/run/kaori-shows/desk)
   --open FILE          is there while the service key is on; the desk ends when it is gone (it serves until it is stopped)
   --plain              serve HTTP instead of HTTPS, for tests
   --local              serve this machine only, for tests
@@ -44,7 +46,8 @@ constexpr std::string_view kHelp =
 constexpr kaori::Duration kTick = 20ms;
 
 struct Settings {
-  std::string board = "/dev/shm/kaori-board", port = "8443", data, address_file, open;
+  std::string board = "/dev/shm/kaori-board", port = "8443", data, address_file, open,
+              shows = kaori::shows::kDeskSocket;
   bool service = false, plain = false, local = false;
 };
 
@@ -65,6 +68,8 @@ kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
   const auto port = kaori::ParseNumber<std::uint16_t>(settings.port);
   if (!port) return kaori::FailInput("--port " + settings.port + ": expected a number from 0 to 65535");
   options.port = *port;
+  options.shows = settings.shows;
+  options.brought = FolderOf(settings);
   if (settings.local) options.reach = kaori::web::Reach::kThisMachine;
   if (settings.plain) return options;
   const auto own = kaori::desk::LoadOrMakeCertificate(
@@ -121,6 +126,7 @@ int main(int argc, char** argv) {
   options.Text("--board", settings.board).Text("--port", settings.port).Text("--data", settings.data);
   options.Text("--address-file", settings.address_file)
       .Text("--open", settings.open)
+      .Text("--box", settings.shows)
       .Switch("--service", settings.service)
       .Switch("--plain", settings.plain)
       .Switch("--local", settings.local);

@@ -20,9 +20,11 @@ constexpr Duration kPictureRetry = std::chrono::seconds(5);
 
 }  // namespace
 
-void DeckPictures::Plug(const decode::StreamDeck& deck, std::filesystem::path folder) {
+void DeckPictures::Plug(const decode::StreamDeck& deck, std::filesystem::path folder,
+                        std::filesystem::path of_show) {
   *this = {};
   folder_ = std::move(folder);
+  of_show_ = std::move(of_show);
   if (!folder_.empty()) deck_ = deck;
 }
 
@@ -63,9 +65,12 @@ bool DeckPictures::Begin(const Keys& keys) {
 }
 
 std::vector<std::uint8_t> DeckPictures::Load(std::size_t key, const DeckKey& wanted) {
-  const auto by_size = folder_ / std::to_string(deck_.shape.key_px);
-  for (const auto& stem : {folder_ / fmt::format("{}", key + 1),
-                           by_size / fmt::format("{:016x}", wanted.call), by_size / "blank"})
+  const std::string size = std::to_string(deck_.shape.key_px), call = fmt::format("{:016x}", wanted.call);
+  std::vector<std::filesystem::path> stems{folder_ / fmt::format("{}", key + 1)};
+  for (const std::string& name : {call, std::string("blank")})
+    for (const auto& folder : {of_show_, folder_})
+      if (!folder.empty()) stems.push_back(folder / size / name);
+  for (const auto& stem : stems)
     for (const std::string_view lit : {"-lit", ""}) {
       if (!lit.empty() && !wanted.is_lit) continue;
       if (auto picture = Read(fmt::format("{}{}{}", stem.string(), lit, deck_.shape.suffix())))

@@ -24,8 +24,9 @@ struct DeckKey {
 // A key's picture is the first of these files that is there, each with "-lit" at the end of its name while the
 // key is lit, or without where there is no such file:
 //   FOLDER/5.jpg              of the fifth key, whatever it calls: somebody wrote it for this box
-//   FOLDER/72/SUM.jpg         of what it calls, by the size of the deck's keys (kaori-atelier keys)
-//   FOLDER/72/blank.jpg
+//   SHOW/72/SUM.jpg           of what it calls, by the size of the deck's keys: brought by the show that plays
+//   FOLDER/72/SUM.jpg         the same (kaori-atelier keys)
+//   SHOW/72/blank.jpg, FOLDER/72/blank.jpg
 // A key without any stays as it is. Of a Mini they end in ".bmp". Pictures are sent page by page, so that nothing
 // waits for a deck. One thread.
 class DeckPictures {
@@ -33,8 +34,8 @@ class DeckPictures {
   static constexpr std::size_t kMostKeys = 32;
   using Keys = std::array<DeckKey, kMostKeys>;
 
-  // A deck came, whose keys show nothing of ours; one of 0 keys is none. An empty folder: no pictures.
-  void Plug(const decode::StreamDeck& deck, std::filesystem::path folder);
+  // A deck came, whose keys show nothing of ours; one of 0 keys is none. An empty folder: no pictures, or none of the show's.
+  void Plug(const decode::StreamDeck& deck, std::filesystem::path folder, std::filesystem::path of_show = {});
   // Nothing is shown from here on.
   void Unplug() { deck_ = {}; }
   bool has_keys() const { return deck_.keys > 0; }
@@ -53,7 +54,7 @@ class DeckPictures {
   void HandleFailure(const Error& error, Time now, std::string_view name);
 
   decode::StreamDeck deck_{};
-  std::filesystem::path folder_;
+  std::filesystem::path folder_, of_show_;
   std::array<std::optional<DeckKey>, kMostKeys> shown_{};
   // The key whose pages are being sent, and those that are left.
   std::size_t key_ = 0;

@@ -38,7 +38,7 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   plugged_ = now;
   held_confirmed_ = false;
   deck_ = decode::StreamDeckOf(identity.vendor, identity.product);
-  pictures_.Plug(deck_, map_->pictures);
+  pictures_.Plug(deck_, map_->pictures, map_->pictures_of_show);
   section_.Plug(device_, now);
   return {};
 }

@@ -48,6 +48,7 @@ constexpr std::string_view kHelp =
                    dials on GPIO lines, two lines for each of them: gpiochip0:4,5,6,7
   --surfaces FOLDER
                    play surfaces that people own as the files of this folder say, and any on MIDI
+  --keys FOLDER    where kaori-stage lays out the pictures that its show brings for keys with screens
   --midi FOLDER    look for raw MIDI in FOLDER/snd and FOLDER/class in place of the kernel's folders
   --links FOLDER   read the simulator's devices, whose sockets are in FOLDER, and its switches where no chip
                    is named
@@ -67,7 +68,7 @@ constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file, box, last_good, key, chip, lines, serial, surfaces, midi, dials, counts;
+  std::string links, file, box, last_good, key, chip, lines, serial, surfaces, keys, midi, dials, counts;
   bool hidraw = false, usb = false;
 };
 
@@ -130,10 +131,11 @@ std::vector<kaori::midi::KnownSurface> MidiSurfacesOf(const std::vector<kaori::i
 }
 
 // A file that is faulty is named, and its device is not played; the others are.
-std::vector<kaori::input::SurfaceMap> ReadMaps(const std::string& folder) {
+std::vector<kaori::input::SurfaceMap> ReadMaps(const std::string& folder, const std::string& keys) {
   std::vector<kaori::input::SurfaceMap> maps;
   if (folder.empty()) return maps;
   for (const std::string& line : kaori::input::ReadSurfaceMaps(folder, maps)) kaori::LogWarning("{}", line);
+  for (auto& map : maps) map.pictures_of_show = keys;
   return maps;
 }
 
@@ -254,7 +256,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (lines) sources.lines = std::move(*lines);
   sources.wired_lines = WiredLines(settings);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
-  sources.maps = ReadMaps(settings.surfaces);
+  sources.maps = ReadMaps(settings.surfaces, settings.keys);
   const auto midi_surfaces = MidiSurfacesOf(sources.maps);
   kaori::ports::MidiTap midi_tap;
   const auto midi =
@@ -283,7 +285,7 @@ int main(int argc, char** argv) {
   kaori::Options options(kHelp);
   options.Text("--board", settings.board).Switch("--hidraw", settings.hidraw).Switch("--usb", settings.usb);
   options.Text("--links", settings.links).Text("--serial", settings.serial).Text("--dials", settings.dials);
-  options.Text("--surfaces", settings.surfaces).Text("--midi", settings.midi);
+  options.Text("--surfaces", settings.surfaces).Text("--keys", settings.keys).Text("--midi", settings.midi);
   options.Text("--gpiochip", settings.chip).Text("--lines", settings.lines);
   options.Text("--counts-per-turn", settings.counts).Text("--settings", settings.file);
   options.Text("--box", settings.box).Text("--last-good", settings.last_good).Text("--key", settings.key);

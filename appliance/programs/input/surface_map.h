@@ -36,6 +36,8 @@ struct SurfaceMap {
   std::array<std::optional<std::uint8_t>, 8> dials{0, 1, 2, 3, 4, 5, 6, 7};
   std::array<std::optional<std::uint8_t>, 32> buttons;
   std::filesystem::path pictures;  // Empty: none.
+  std::filesystem::path
+      pictures_of_show{};  // Where the stage lays out those of its show; no key of the file. Empty: nowhere.
   std::optional<decode::MidiMap> midi;
 
   SurfaceMap();

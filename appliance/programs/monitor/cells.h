@@ -22,6 +22,7 @@ struct Pen {
 
 // Adds the lines of a text within a box, from its top or in its middle; the last one that has room is cut
 // where it is drawn.
+// `text` is borrowed, and broken where it is wider than the box.
 struct Lines {
   const std::string& text;
   int size_px = 0;

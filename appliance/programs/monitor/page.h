@@ -11,6 +11,7 @@
 
 namespace kaori::monitor {
 
+// Where a line of text stands within its box.
 enum class Side : std::uint8_t { kLeft, kMiddle, kRight };
 
 // A line of text within a box, cut with dots where it is too long; without a size the box, filled.
@@ -34,6 +35,7 @@ struct Cell {
 
 // Of one size the cells are always as many, in the same order and at the same places.
 struct Page {
+  // In the order of reading.
   std::vector<Cell> cells;
   // Where the face is shown, as on stage.
   Box programme;

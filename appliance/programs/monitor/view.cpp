@@ -95,6 +95,9 @@ std::string ComesOf(const Moment& moment) {
     case show::CuePerson::kPresence:
       what = "somebody";
       break;
+    case show::CuePerson::kGazeOn:
+      what = "a look";
+      break;
     case show::CuePerson::kNobody:
       break;
   }
@@ -132,10 +135,10 @@ std::string NameWithJoined(const Moment& moment, show::CallKind kind, std::strin
 
 void AddMotions(const Moment& moment, View& view) {
   for (const performance::Playing& voice : moment.state.voices) {
-    if (voice.motion < 0 || voice.gain < 1 || std::size_t(voice.motion) >= moment.show.motions.size())
+    if (voice.motion < 0 || voice.ends != 0 || std::size_t(voice.motion) >= moment.show.motions.size())
       continue;
     const show::Motion& motion = moment.show.motions[std::size_t(voice.motion)];
-    const float end_s = motion.Loops() ? 0 : performance::EndOf(motion);
+    const float end_s = motion.Loops() ? 0 : show::EndOf(motion);
     view.playing.push_back({"motion", motion.Loops() ? motion.name + " (loops)" : motion.name, kMotion,
                             end_s > 0 ? std::clamp(voice.at_s / end_s, 0.0F, 1.0F) : 1});
   }

@@ -1,5 +1,7 @@
 #include "appliance/programs/shows/box_copies.h"
 
+#include <fcntl.h>
+
 #include <array>
 #include <utility>
 
@@ -10,6 +12,8 @@
 namespace kaori::shows {
 namespace {
 
+// On the data partition, beside what a restore keeps there; a backup has nothing of it.
+constexpr const char* kForDesk = "restore/for-desk";
 constexpr std::size_t kMostDifferences = 8;  // Lines that a small screen has beside the list.
 
 // `form` is that of strftime(3), in the box's time zone; a text beyond 63 letters becomes empty.
@@ -20,9 +24,11 @@ std::string TimeText(std::time_t wall, const char* form) {
   return {text.data(), std::strftime(text.data(), text.size(), form, &local)};
 }
 
-// The disk's and the stick's errors mean the same to the person: what is written is a stick.
-Message MessageOfBackup(const Error& error) {
-  return error.cause == std::errc::text_file_busy ? Message::kChanged : SupportMessageOf(error);
+// The disk's and the stick's errors mean the same to the person: what is written is a stick, or, for the desk, the box's own disk.
+Message MessageOfBackup(const Error& error, bool for_desk) {
+  if (error.cause == std::errc::text_file_busy) return Message::kChanged;
+  if (!for_desk) return SupportMessageOf(error);
+  return error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault;
 }
 
 }  // namespace
@@ -75,7 +81,16 @@ Progress BoxCopies::Begin(const Choosable& taken, const std::filesystem::path& s
     if (auto ok = PutBack(places_.data); !ok) return {Message::kDiskFault, ok.error().message()};
     return {Message::kUndoWaits};
   }
-  auto input = backup::OpenInput(taken.offer.file);
+  return BeginReading(backup::OpenInput(taken.offer.file), std::move(keys));
+}
+
+Progress BoxCopies::BeginRestore(std::string name, UniqueFd file, show::PublicKeys keys) {
+  restoration_.reset();
+  name_ = std::move(name);
+  return BeginReading(backup::InputOf(std::move(file), name_), std::move(keys));
+}
+
+Progress BoxCopies::BeginReading(Result<std::unique_ptr<backup::Input>> input, show::PublicKeys keys) {
   if (!input) return {BackupMessageOf(input.error()), input.error().message()};
   restoration_.emplace(RestoreTerms{places_.data, std::move(keys), trial_}, std::move(*input));
   return restoration_->progress();
@@ -83,12 +98,29 @@ Progress BoxCopies::Begin(const Choosable& taken, const std::filesystem::path& s
 
 // Two backups within a second would have one name: the second is refused, since a file that is there is never replaced.
 Progress BoxCopies::BeginBackup(const std::filesystem::path& stick) {
+  for_desk_ = false;
+  if (auto ok = places_.set_writable(true); !ok) return {SupportMessageOf(ok.error()), ok.error().message()};
+  return WriteInto(stick);
+}
+
+// What an end without a word left there is of no use to anybody.
+Progress BoxCopies::BeginForDesk() {
+  restoration_.reset();
+  ready_.reset();
+  for_desk_ = true;
+  std::error_code failed;
+  std::filesystem::remove_all(places_.data / kForDesk, failed);
+  std::filesystem::create_directories(places_.data / kForDesk, failed);
+  if (failed) return EndBackup(Fail(static_cast<std::errc>(failed.value()), "make room for a backup"));
+  return WriteInto(places_.data / kForDesk);
+}
+
+Progress BoxCopies::WriteInto(const std::filesystem::path& folder) {
   const std::string box = places_.name();
   const std::time_t wall = places_.wall();
   name_ = BackupFileName(box, wall);
-  if (auto ok = places_.set_writable(true); !ok) return {SupportMessageOf(ok.error()), ok.error().message()};
   auto writer =
-      backup::Writer::Begin(places_.data, {box, TimeText(wall, "%Y-%m-%d %H:%M:%S %z")}, stick / name_);
+      backup::Writer::Begin(places_.data, {box, TimeText(wall, "%Y-%m-%d %H:%M:%S %z")}, folder / name_);
   if (!writer) return EndBackup(tl::unexpected(writer.error()));
   writer_.emplace(std::move(*writer));
   return {Message::kBackingUp};
@@ -108,9 +140,26 @@ Progress BoxCopies::StepBackup() {
 // What is not whole is removed before the stick is closed again.
 Progress BoxCopies::EndBackup(const Result<void>& written) {
   writer_.reset();
+  if (for_desk_) return EndForDesk(written);
   if (auto closed = places_.set_writable(false); !closed) LogWarning("{}", closed.error().message());
-  if (!written) return {MessageOfBackup(written.error()), written.error().message()};
+  if (!written) return {MessageOfBackup(written.error(), false), written.error().message()};
   return {Message::kBackedUp, {}, 1};
+}
+
+// The file loses its name at once, so that it goes with whoever has it open, whatever happens to this program.
+Progress BoxCopies::EndForDesk(const Result<void>& written) {
+  const std::filesystem::path folder = places_.data / kForDesk;
+  UniqueFd file(written ? ::open((folder / name_).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW) : -1);
+  const Result<void> opened = written && !file.valid() ? Result<void>(FailErrno("open the backup")) : written;
+  std::error_code none;
+  std::filesystem::remove_all(folder, none);
+  if (!opened) return {MessageOfBackup(opened.error(), true), opened.error().message()};
+  ready_ = BackupFile{name_, std::move(file)};
+  return {Message::kBackupForDesk, {}, 1};
+}
+
+std::optional<BackupFile> BoxCopies::ReleaseForDesk() {
+  return std::exchange(ready_, std::nullopt);
 }
 
 // Either answer ends the question; the files of the stick are closed with it.

@@ -12,6 +12,7 @@
 #include "appliance/core/backup/writer.h"
 #include "appliance/programs/shows/menu.h"
 #include "appliance/programs/shows/restoration.h"
+#include "drivers/base/unique_fd.h"
 
 namespace kaori::shows {
 
@@ -25,6 +26,12 @@ struct CopyPlaces {
   std::function<std::time_t()> wall;
   // Of the stick, while a backup is written.
   std::function<Result<void>(bool)> set_writable;
+};
+
+// One that was made for the desk.
+struct BackupFile {
+  std::string name;
+  UniqueFd file;  // For reading, from its beginning.
 };
 
 // "left-lobby-1a2b3c4d-20261123-221005.kaorishow". Pure but for the time zone.
@@ -43,6 +50,12 @@ class BoxCopies {
   // Begins what was taken: kBackup, kRestore or kPutBack. `keys` are those that the box trusts. To be called while it is
   // not busy.
   Progress Begin(const Choosable& taken, const std::filesystem::path& stick, show::PublicKeys keys);
+  // The same for the desk: a backup that is fetched there, whose file has no room beside the disk's own, and one that was brought
+  // there as an open file.
+  Progress BeginForDesk();
+  Progress BeginRestore(std::string name, UniqueFd file, show::PublicKeys keys);
+  // The backup that BeginForDesk began, once it is whole, and once only. The file has no name any more: it goes with the descriptor.
+  std::optional<BackupFile> ReleaseForDesk();
   // To be called while busy(): the next piece, 1 MiB at most.
   Progress Step();
   bool busy() const { return writer_.has_value() || (restoration_ && !restoration_->ended()); }
@@ -61,13 +74,19 @@ class BoxCopies {
  private:
   // EndBackup makes the stick one that cannot be written again, however the backup ended.
   Progress BeginBackup(const std::filesystem::path& stick);
+  Progress WriteInto(const std::filesystem::path& folder);
+  Progress BeginReading(Result<std::unique_ptr<backup::Input>> input, show::PublicKeys keys);
   Progress StepBackup();
   Progress EndBackup(const Result<void>& written);
+  Progress EndForDesk(const Result<void>& written);
 
   CopyPlaces places_;
   Trial trial_;
   std::string name_;
   std::optional<backup::Writer> writer_;
+  // What is written, or was written last, is for the desk; then the file that it has not taken yet.
+  bool for_desk_ = false;
+  std::optional<BackupFile> ready_;
   std::optional<Restoration> restoration_;
 };
 

@@ -119,17 +119,23 @@ Result<std::string> BoxSettings::TextOf(const Choosable& taken) const {
 Progress BoxSettings::Begin(const Choosable& taken) {
   wanted_.reset();
   name_ = taken.kind == Choosable::Kind::kValue ? taken.id : taken.offer.name;
-  if (IsThere(places_.data / restore::kNext / restore::kPlan)) return {Message::kRestoreWaits};
   const auto text = TextOf(taken);
   if (!text && text.error().kind == ErrorKind::kInput)
     return {Message::kFaultySettings, text.error().message()};
   if (!text)
     return {taken.kind == Choosable::Kind::kSettingsFile ? Message::kPulled : Message::kDiskFault,
             text.error().message()};
-  if (auto fault = FaultOfSettings(*text, places_.zones); !fault.empty())
+  return BeginText(name_, *text);
+}
+
+Progress BoxSettings::BeginText(std::string name, const std::string& text) {
+  wanted_.reset();
+  name_ = std::move(name);
+  if (IsThere(places_.data / restore::kNext / restore::kPlan)) return {Message::kRestoreWaits};
+  if (auto fault = FaultOfSettings(text, places_.zones); !fault.empty())
     return {Message::kFaultySettings, std::move(fault)};
-  if (SettingsDifferences(Now(), *text).empty()) return {Message::kNothingDiffers};
-  wanted_ = *text;
+  if (SettingsDifferences(Now(), text).empty()) return {Message::kNothingDiffers};
+  wanted_ = text;
   return {Message::kAskChange};
 }
 

@@ -40,6 +40,10 @@ class BoxSettings {
   // Reads what was taken, kSettingsFile, kSettingsBefore or kValue, and compares it. kAskChange, kNothingDiffers, or a refusal;
   // kRestoreWaits where a restore would undo the change at the next start: that comes first.
   Progress Begin(const Choosable& taken);
+  // The same of a text that somebody brought in another way; `name` is what the settings are called.
+  Progress BeginText(std::string name, const std::string& text);
+  // The text of box.toml as it is now; empty where there is none.
+  std::string Text() const { return Now(); }
   // Of what was taken last: stands before what is said.
   const std::string& name() const { return name_; }
 

@@ -82,7 +82,9 @@ void InstallService::Step(Time now) {
                                            board_.Read<board::Lines>(), now)) {
     Accept(*taken);
   }
+  if (of_box_.desk != nullptr) HearDesk();
   FollowMenu(now);
+  if (of_box_.desk != nullptr) TellDesk(now);
   KeepAlive(now);
 }
 
@@ -109,7 +111,7 @@ void InstallService::Look(Time now) {
   FollowChosen();
   if (!std::exchange(has_looked_, true)) OfferBefore();
   auto looked = look_();
-  const bool is_busy = installation_ || update_ || (of_box_.copies != nullptr && of_box_.copies->busy());
+  const bool is_busy = IsBusy();
   if (!looked && !is_busy) TellOfStick(Message::kUnreadable, looked.error().message());
   auto stick = looked.value_or(std::nullopt);
   const bool is_another = stick != stick_, is_out = looked && !stick;

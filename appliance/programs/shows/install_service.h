@@ -13,6 +13,7 @@
 #include "appliance/core/update/pending.h"
 #include "appliance/programs/shows/box_copies.h"
 #include "appliance/programs/shows/box_settings.h"
+#include "appliance/programs/shows/desk_link.h"
 #include "appliance/programs/shows/installation.h"
 #include "appliance/programs/shows/menu.h"
 #include "drivers/base/clock.h"
@@ -51,6 +52,8 @@ struct OfBox {
   MakeSupportFile support{};
   BoxCopies* copies = nullptr;
   BoxSettings* settings = nullptr;
+  // Where visitors of the desk see the list and take lines of it.
+  DeskLink* desk = nullptr;
 };
 
 // One thread; folder and board must outlive it. While another program has the board's section `shows_menu`
@@ -106,6 +109,15 @@ class InstallService {
   // Something of BoxSettings was taken, or what it asks is answered.
   bool IsOfSettings(const Choosable& taken) const;
   void AcceptSettings(const Choosable& taken);
+  // How that stands: the list asks, or is the one of shows again. `is_left`: nobody is to be told of which settings.
+  void TellOfSettings(const Progress& progress, bool is_left);
+  // Something is on its way; nothing else is taken meanwhile.
+  bool IsBusy() const;
+  // The desk's part: what a visitor asks for, and the state for its page.
+  void HearDesk();
+  void CopyForDesk(Request request);
+  void TellDesk(Time now);
+  std::string StateForDesk() const;
   // Nobody can answer any more: another stick is in, or none.
   void DropQuestion();
   // At the step after the one that said that it begins.
@@ -122,6 +134,9 @@ class InstallService {
   void TellOfStick(Message message, const std::string& reason = {});
   // The same of an update; the log hears each message once.
   void TellOfUpdate(const update::Answer& answer);
+  // What is said now, in one line; nothing has to be said yet where said_ is empty. And whether it is a refusal.
+  std::string Sentence(Language language) const;
+  bool SaidIsRefusal() const;
   // Writes what is said to the screen, with the list as it is.
   void Show();
   // Shows the list where it was opened, and takes it away where it was shut.
@@ -165,6 +180,8 @@ class InstallService {
   bool is_open_ = false;
   bool has_looked_ = false;
   std::optional<board::Writer<board::ShowsMenu>> on_board_;
+  // The desk is told no sooner.
+  Time tell_next_{};
 };
 
 }  // namespace kaori::shows

@@ -86,19 +86,28 @@ void InstallService::TellOfUpdate(const update::Answer& answer) {
     Log("{}", line);
 }
 
+// A reason is English, so the Japanese line goes without; how far an update is, is a number.
+std::string InstallService::Sentence(Language language) const {
+  const bool is_english = language == Language::kEnglish;
+  if (said_->of_update)
+    return SayOfUpdate(*said_->of_update,
+                       is_english ? update::Language::kEnglish : update::Language::kJapanese);
+  return Say(said_->message, language, said_->name, is_english ? said_->detail : "");
+}
+
+bool InstallService::SaidIsRefusal() const {
+  return said_->of_update ? update::IsRefusal(said_->of_update->message) : IsRefusal(said_->message);
+}
+
 // Both languages, one below the other; the screen shows those lines that its font has letters for.
 void InstallService::Show() {
   const auto& [message, name, detail, of_stick, of_update] = *said_;
-  const bool refuses = of_update ? update::IsRefusal(of_update->message) : IsRefusal(message);
-  const std::string mark(refuses ? store::kRefusalMark : std::string_view());
+  const std::string mark(SaidIsRefusal() ? store::kRefusalMark : std::string_view());
   std::vector<std::string> lines = menu_.Lines(message, Language::kEnglish, name, detail, is_open_);
-  if (of_update) lines.front() = SayOfUpdate(*of_update, update::Language::kEnglish);
+  lines.front() = Sentence(Language::kEnglish);
   std::string text = mark;
   for (const std::string& line : lines) text += line + "\n";
-  text += mark +
-          (of_update ? SayOfUpdate(*of_update, update::Language::kJapanese)
-                     : Say(message, Language::kJapanese, name)) +
-          "\n";
+  text += mark + Sentence(Language::kJapanese) + "\n";
   if (!is_open_ && !menu_.empty() && message != Message::kShut)
     text += "  " + std::string(Words(Message::kShut, Language::kJapanese)) + "\n";
   if (text == shown_) return;

@@ -48,6 +48,7 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
   --plugged          whatever lies in --stick is the stick: nothing is mounted
   --journalctl PROGRAM  reads the journal for a support file (/usr/bin/journalctl)
   --journal FOLDER   where the journal lies (that of this system)
+  --desk-user NAME   as whom the desk runs, whose visitors see the list (kaori-desk); it calls at the socket desk in --report
   --update SOCKET    where kaori-update listens, which brings updates of the box in (/run/kaori-update-socket)
   --install FILE     instead: installs this pack, says how it went, and ends
   --keep FILE        instead: keeps a copy of this pack, the root's, beside the shows, where there is room, and ends
@@ -62,9 +63,10 @@ constexpr std::string_view kHelp = R"(kaori-shows: brings shows from a stick ont
 struct Settings {
   std::string shows = "/var/lib/kaori/shows", root_keys = "/usr/share/kaori/keys",
               keys = "/var/lib/kaori/settings/keys", stage = "/usr/bin/kaori-stage",
-              trial_user = "kaori-trial", board = "/run/kaori/board", open = "/run/kaori-service/open",
-              report = "/run/kaori-shows", stick = "/run/kaori-stick", journalctl = "/usr/bin/journalctl",
-              journal, install, support, backup, diff, restore, keep, update = kaori::update::kSocket;
+              trial_user = "kaori-trial", desk_user = "kaori-desk", board = "/run/kaori/board",
+              open = "/run/kaori-service/open", report = "/run/kaori-shows", stick = "/run/kaori-stick",
+              journalctl = "/usr/bin/journalctl", journal, install, support, backup, diff, restore, keep,
+              update = kaori::update::kSocket;
   bool plugged = false, with_name = false, at_once = false;
 };
 
@@ -81,6 +83,16 @@ kaori::Result<std::optional<kaori::shows::TrialUser>> TrialUserOf(const Settings
   return kaori::shows::FindUser(settings.trial_user).map([](const auto& user) { return User(user); });
 }
 
+// A box without a desk is one all the same.
+std::optional<kaori::shows::DeskLink> OpenDesk(const Settings& settings) {
+  auto desk = kaori::shows::FindUser(settings.desk_user).and_then([&](const auto& user) {
+    return kaori::shows::DeskLink::Open((fs::path(settings.report) / "desk").string(), user.user);
+  });
+  if (desk) return std::move(*desk);
+  kaori::LogWarning("the desk cannot show the list: {}", desk.error().message());
+  return std::nullopt;
+}
+
 // Where a trial keeps the shaders that it compiles: whoever it is run as makes files there, as in /tmp. No
 // other program of the box may write to /run.
 void MakeTrialFolder(const std::string& report) {
@@ -94,6 +106,7 @@ kaori::shows::SupportPlaces SupportPlacesOf(const Settings& settings) {
   const fs::path board = settings.board;
   return {.settings = fs::path(settings.keys).parent_path() / "box.toml",
           .plays = kaori::store::PlayLogBeside(board),
+          .reports = fs::path(settings.shows).parent_path() / "own/log",
           .status = {.screens = board.parent_path() / "screens"}};
 }
 
@@ -223,9 +236,10 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), trial);
   kaori::shows::BoxSettings box_settings({.data = fs::path(settings.shows).parent_path(),
                                           .screens = fs::path(settings.board).parent_path() / "screens"});
+  auto desk = OpenDesk(settings);
   kaori::shows::InstallService service(
       {settings.root_keys, settings.keys, settings.report, plays, settings.update}, *folder, *board, look,
-      trial, {support, &copies, &box_settings});
+      trial, {support, &copies, &box_settings, desk ? &*desk : nullptr});
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();
@@ -251,6 +265,7 @@ int main(int argc, char** argv) {
       .Text("--keys", settings.keys)
       .Text("--stage", settings.stage)
       .Text("--trial-user", settings.trial_user)
+      .Text("--desk-user", settings.desk_user)
       .Text("--board", settings.board);
   options.Text("--open", settings.open)
       .Text("--report", settings.report)

@@ -31,6 +31,7 @@ std::string KindOf(const Choosable& choice) {
 
 void Menu::Offer(std::vector<Choosable> choices, std::size_t left_out, std::vector<std::string> notes) {
   choices_ = std::move(choices);
+  ++number_;
   left_out_ = left_out;
   notes_ = std::move(notes);
   marked_ = 0;
@@ -87,6 +88,20 @@ std::optional<Choosable> Menu::Read(const board::Stamped<board::Keys>& keys,
   return choices_[taken];
 }
 
+std::vector<std::string> Menu::Labels() const {
+  std::vector<std::string> labels;
+  for (const Choosable& choice : choices_)
+    labels.push_back(KindOf(choice) + choice.offer.name +
+                     (choice.remark.empty() ? "" : "  " + choice.remark));
+  return labels;
+}
+
+// The mark stays where it is: it is that of whoever stands before the box.
+std::optional<Choosable> Menu::LineOf(std::uint32_t number, std::size_t line) const {
+  if (number != number_ || line >= choices_.size()) return std::nullopt;
+  return choices_[line];
+}
+
 // The list stays below each message, so that the next one can be taken while the last result is read. One
 // that is shut is not shown: what it says would not be so.
 std::vector<std::string> Menu::Lines(Message message, Language language, const std::string& name,
@@ -97,11 +112,9 @@ std::vector<std::string> Menu::Lines(Message message, Language language, const s
       lines.emplace_back("  " + std::string(Words(Message::kShut, language)));
     return lines;
   }
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    const Choosable& choice = choices_[i];
-    lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + KindOf(choice) +
-                    choice.offer.name + (choice.remark.empty() ? "" : "  " + choice.remark));
-  }
+  const std::vector<std::string> labels = Labels();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + labels[i]);
   if (left_out_ > 0)
     lines.push_back("  and " + std::to_string(left_out_) +
                     " more on the stick; take some off it to see them");

@@ -66,6 +66,15 @@ class Menu {
   bool IsOpen(Time now) const { return open_until_ && now < *open_until_; }
   bool empty() const { return choices_.empty(); }
 
+  // For a screen elsewhere, which shows the list whether or not it is open here. The number is another one after each Offer.
+  std::uint32_t number() const { return number_; }
+  // Each with its kind, name and remark.
+  std::vector<std::string> Labels() const;
+  const std::vector<std::string>& notes() const { return notes_; }
+  std::size_t left_out() const { return left_out_; }
+  // What stands in this line, from 0, of the list of this number; nothing where that list is gone.
+  std::optional<Choosable> LineOf(std::uint32_t number, std::size_t line) const;
+
   // What can be taken stays; presses from before count no more.
   void ForgetPresses();
 
@@ -87,6 +96,7 @@ class Menu {
   std::optional<std::size_t> ReadButtons(const std::vector<std::uint32_t>& codes) const;
 
   std::vector<Choosable> choices_;
+  std::uint32_t number_ = 0;
   std::size_t left_out_ = 0;
   std::vector<std::string> notes_;
   std::size_t marked_ = 0;

@@ -30,6 +30,8 @@ constexpr std::array<Row, kMessageCount> kTable{{
      "バックアップを書いています。スティックを抜かないでください"},
     {"the backup is on the stick; the stick can go",
      "バックアップを書きました。スティックは抜いて構いません"},
+    {"the backup is made; save it from the desk's page",
+     "バックアップができました。デスクのページから保存してください"},
     {"the backup is being read; leave the stick where it is",
      "バックアップを読んでいます。スティックを抜かないでください"},
     {"the lines below would change on the box; nothing has changed yet",
@@ -83,8 +85,8 @@ constexpr std::array<Row, kMessageCount> kTable{{
      "箱のものではないファイルがあります。箱で作り直してください"},
     {"something was changed on the box meanwhile; take it again",
      "途中で箱の内容が変わりました。もう一度選んでください"},
-    {"these settings have a mistake; mend it and copy them to the stick again",
-     "設定に間違いがあります。直して、もう一度スティックにコピーしてください"},
+    {"these settings have a mistake; mend it and bring them again",
+     "設定に間違いがあります。直して、もう一度入れてください"},
 }};
 
 }  // namespace

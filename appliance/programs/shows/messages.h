@@ -39,6 +39,8 @@ enum class Message : std::uint8_t {
   kBackingUp,
   // It is there.
   kBackedUp,
+  // It is made, and can be fetched from the desk.
+  kBackupForDesk,
   // A backup is being copied from the stick and checked.
   kReadingBackup,
   // What a restore or other settings would change is listed: is that wanted?
@@ -99,7 +101,7 @@ enum class Message : std::uint8_t {
   // A settings file that the box would not start with as it is meant.
   kFaultySettings,
 };
-inline constexpr std::size_t kMessageCount = 47;
+inline constexpr std::size_t kMessageCount = 48;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

@@ -34,13 +34,17 @@ void InstallService::AcceptSettings(const Choosable& taken) {
   const bool answers = taken.kind == Choosable::Kind::kYes || taken.kind == Choosable::Kind::kNo;
   const Progress progress =
       answers ? settings.Answer(taken.kind == Choosable::Kind::kYes) : settings.Begin(taken);
-  // The answers begin at line 0, and the differences stand beside them.
+  TellOfSettings(progress, answers && taken.kind == Choosable::Kind::kNo);
+}
+
+// The answers begin at line 0, and the differences stand beside them.
+void InstallService::TellOfSettings(const Progress& progress, bool is_left) {
+  const BoxSettings& settings = *of_box_.settings;
   if (settings.asks())
     menu_.Offer(BoxSettings::Answers(), 0, settings.Differences());
   else
     ListAnew();
-  Tell(progress.message, answers && taken.kind == Choosable::Kind::kNo ? "" : settings.name(),
-       progress.detail);
+  Tell(progress.message, is_left ? "" : settings.name(), progress.detail);
 }
 
 }  // namespace kaori::shows

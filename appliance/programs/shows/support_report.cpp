@@ -129,6 +129,14 @@ std::string Status(const SupportPlaces& places, const board::Board* board) {
   return status::TextOf(status::Describe(status::Look(*board, facts, SteadyClock().now())));
 }
 
+// Names begin with the log's number and its day: the last one is of the newest evening.
+std::string NewestShowReport(const fs::path& reports) {
+  fs::path newest;
+  for (const fs::path& file : ListFolder(reports).value_or(std::vector<fs::path>{}))
+    if (file.filename().string().ends_with(".report.txt")) newest = file;
+  return newest.empty() ? "there is none yet\n" : newest.filename().string() + "\n\n" + TextOf(newest);
+}
+
 std::string Date(std::time_t wall) {
   std::tm local{};
   ::localtime_r(&wall, &local);
@@ -176,6 +184,7 @@ std::string SupportReport(const SupportPlaces& places, const Folder& shows, cons
              LinesWith(power, {"the last start ended", "nothing is known of a start", "cannot be read"})) +
          Section("Status", Status(places, board)) + Section("Versions", Versions(places)) +
          Section("Shows", Shows(shows, places.plays)) + Section("Free space", Space(shows)) +
+         Section("Show report of the last evening", NewestShowReport(places.reports)) +
          Section("Settings (box.toml), without secrets", SettingsText(places.settings)) +
          Section("Screens", TextOf(places.status.screens)) + Section("USB devices", UsbDevices(places.usb)) +
          Section("Crash reports", LinesWith(warnings, {"crash:"}), kMostWarnings_bytes) +

@@ -37,6 +37,8 @@ struct SupportPlaces {
   std::filesystem::path plays = "/run/kaori/plays";
   std::filesystem::path release = "/etc/os-release", machine_id = "/etc/machine-id";
   std::filesystem::path usb = "/sys/bus/usb/devices";
+  // Where the show log lies, and beside it the show reports.
+  std::filesystem::path reports = "/var/lib/kaori/own/log";
   status::Places status{};
 };
 

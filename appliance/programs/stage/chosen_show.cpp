@@ -6,6 +6,7 @@
 #include "appliance/core/roles/level_names.h"
 #include "appliance/core/roles/roles_file.h"
 #include "appliance/core/store/choice.h"
+#include "appliance/programs/stage/key_files.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
@@ -41,9 +42,12 @@ Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places, bool is
   auto pack = store::PackOf(id, places.shows, places.root_pack);
   if (is_doubted)
     if (auto ok = places.read_through(pack); !ok) return tl::unexpected(ok.error());
-  auto show = show::LoadPack(pack, OptionsFor(id, places));
-  if (!show) return tl::unexpected(show.error());
-  return ChosenShow{.show = std::move(*show), .id = id, .pack = std::move(pack)};
+  auto whole = show::LoadPackWithKeys(pack, OptionsFor(id, places));
+  if (!whole) return tl::unexpected(whole.error());
+  if (!places.key_files.empty())
+    if (auto ok = LayOutKeys(whole->keys, places.key_files); !ok)
+      LogWarning("{}; keys with screens show what they can without", ok.error().message());
+  return ChosenShow{.show = std::move(whole->show), .id = id, .pack = std::move(pack)};
 }
 
 // A folder that holds packs has had a choice since before its first one: both of its files are gone or torn.

@@ -26,8 +26,9 @@ struct ShowPlaces {
   std::filesystem::path
       play_log;  // In memory, and beside it what is said of the root's show: play_log.h of the store.
   std::filesystem::path
-      chosen{};                 // In memory: the number of the choice that counts; empty: none is followed.
-  show::LoadOptions of_root{};  // How the root's own pack is opened.
+      chosen{};  // In memory: the number of the choice that counts; empty: none is followed.
+  std::filesystem::path key_files{};  // In memory: where pictures of keys are laid out; empty: nowhere.
+  show::LoadOptions of_root{};        // How the root's own pack is opened.
   // Whether a disk gives all of a file, before it is mapped; a test has another one.
   std::function<Result<void>(const std::filesystem::path&)> read_through = ReadThrough;
 };
@@ -45,7 +46,8 @@ struct ChosenShow {
 // passed over and why. The root's show, which is mapped and believed, is read from front to back first where it has ended
 // the stage twice: a block that its disk has spoilt is an error then, and no end by a signal for ever. Its copy plays then,
 // and the status picture says so; where there is none, a file beside the log asks for the box's other system. A pack of `shows` must be signed by a key beside the root's pack (its folder's `keys`)
-// or of `keys`, and is always checked as a whole. Blocks for the disk. Errors: those of LoadPack and
+// or of `keys`, and is always checked as a whole. The pictures of keys that the show brings are laid out (key_files.h).
+// Blocks for the disk. Errors: those of LoadPack and
 // ReadThrough for the root's show.
 Result<ChosenShow> LoadChosen(const ShowPlaces& places, Time now);
 

@@ -5,7 +5,7 @@
 
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/last_face/last_face.h"
-#include "appliance/core/performance/calls.h"
+#include "appliance/core/performance/motions.h"
 #include "appliance/core/performance/recall.h"
 #include "appliance/programs/stage/last_face_writer.h"
 #include "drivers/base/checksum.h"
@@ -66,10 +66,6 @@ bool IsFit(const performance::State& state, const scene::Scene& scene) {
 
 }  // namespace
 
-Result<std::uint64_t> ShowMark(const std::filesystem::path& pack) {
-  return ReadBeginning(pack, last_face::kShowMark_bytes).map([](const auto& text) { return Fnv1a(text); });
-}
-
 // The checks go from the bytes to the meaning: the file's own sum, the show it belongs to, the layout of this
 // build, then every field. A state of another version is refused and not converted.
 Result<performance::State> RecallLastFace(const LastFaceFile& where, const show::Show& show,
@@ -85,10 +81,11 @@ Result<performance::State> RecallLastFace(const LastFaceFile& where, const show:
   const auto state = StateIn(face->state);
   if (!state || !performance::IsValid(*state, show)) return refuse("it is of another version");
   performance::State recalled = performance::Recalled(*state, board, presented_at);
-  // Where the list stands, a motion plays on: it begins once more.
+  // Where the list stands, motions play on: they begin once more.
   const auto stands = static_cast<std::size_t>(recalled.cue_run.active) + 1;
-  if (const auto& tracked = show.cue_list.tracked; stands < tracked.size() && tracked[stands].loop >= 0)
-    performance::PlayMotion(recalled, tracked[stands].loop);
+  if (const auto& tracked = show.cue_list.tracked; stands < tracked.size())
+    for (const show::TrackedLoop& loop : tracked[stands].loops)
+      performance::PlayMotion(recalled, show, loop.motion, loop.use);
   return recalled;
 }
 

@@ -12,6 +12,7 @@
 
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/snapshot.h"
+#include "appliance/core/last_face/show_mark.h"
 #include "appliance/core/performance/state.h"
 #include "appliance/core/show/show.h"
 #include "appliance/programs/stage/studio.h"
@@ -27,9 +28,8 @@ struct LastFaceFile {
   std::uint64_t show = 0;
 };
 
-// Tells one show's pack from another by how it begins: a sum over the first last_face::kShowMark_bytes, among
-// which lies the checksum of the content. Errors: those of open(2) and read(2).
-Result<std::uint64_t> ShowMark(const std::filesystem::path& pack);
+// By which a show is known.
+using last_face::ShowMark;
 
 // The state that was kept, on this board, for a first frame that is presented at `presented_at`. Blocks for
 // the disk. Errors:

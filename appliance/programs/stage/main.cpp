@@ -104,6 +104,7 @@ kaori::Result<kaori::stage::ShowPlaces> PlacesOf(const Settings& settings) {
                                   .keys = shows.parent_path() / "settings" / "keys",
                                   .play_log = kaori::store::PlayLogBeside(board),
                                   .chosen = settings.chosen,
+                                  .key_files = settings.keys,
                                   .of_root = std::move(*options)};
 }
 

@@ -6,15 +6,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "appliance/core/showlog/log_folder.h"
 #include "drivers/base/checksum.h"
-#include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
@@ -25,51 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kEnding = ".kaorilog";
-
-// A log that lies in the folder.
-struct LogOnDisk {
-  fs::path file;
-  int number = 0;
-  std::uintmax_t bytes = 0;
-  std::optional<showlog::LogHead> head;  // None: it cannot be read, and counts as an evening.
-};
-
-// The beginning of the file is enough: the roles file is the one long part of a head, and 1 KB has room for
-// the rest.
-std::optional<showlog::LogHead> HeadOf(const fs::path& file) {
-  const auto text = ReadBeginning(file, showlog::kMostRoles_bytes + 1024);
-  if (!text) return std::nullopt;
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text->data());
-  auto read = showlog::ReadHead({bytes, text->size()});
-  if (!read) return std::nullopt;
-  return std::move(read->head);
-}
-
-// Oldest first. Other files are left alone.
-std::vector<LogOnDisk> LogsIn(const fs::path& folder) {
-  std::vector<LogOnDisk> logs;
-  std::error_code none;
-  for (const fs::path& path : ListFolder(folder).value_or(std::vector<fs::path>{})) {
-    int number = 0;
-    const std::string name = path.filename().string();
-    if (!name.ends_with(kEnding) || std::sscanf(name.c_str(), "%9d-", &number) != 1) continue;
-    logs.push_back({path, number, fs::file_size(path, none), HeadOf(path)});
-  }
-  std::ranges::sort(logs, {}, &LogOnDisk::number);
-  return logs;
-}
-
-// A head that cannot be read belongs to no evening but its own.
-bool IsSameEvening(const std::optional<showlog::LogHead>& a, const std::optional<showlog::LogHead>& b) {
-  return a && b && showlog::IsSameEvening(*a, *b);
-}
+using showlog::LogOnDisk;
 
 // Whether a stage that starts with this head goes on in that file.
 // `booted_at` is worked out anew at each start and drifts with the wall clock: it is left out of the
 // comparison.
 bool GoesOn(const LogOnDisk& log, showlog::LogHead head) {
-  if (!IsSameEvening(log.head, head) || log.bytes >= showlog::kFullFile_bytes) return false;
+  if (!showlog::IsSameEvening(log.head, head) || log.bytes >= showlog::kFullFile_bytes) return false;
   head.booted_at = log.head->booted_at;
   return showlog::HeadBytes(*log.head) == showlog::HeadBytes(head);
 }
@@ -84,7 +45,7 @@ void RemoveOld(const std::vector<LogOnDisk>& logs, const std::optional<showlog::
   bool full = false;
   for (auto log = logs.rbegin(); log != logs.rend(); ++log) {
     bytes += log->bytes;
-    if (!IsSameEvening(log->head, newer)) ++evenings;
+    if (!showlog::IsSameEvening(log->head, newer)) ++evenings;
     newer = log->head;
     full = full || bytes > ShowLog::kMost_bytes || evenings > ShowLog::kEvenings;
     std::error_code refused;
@@ -101,7 +62,7 @@ fs::path NextFile(const fs::path& folder, const std::vector<LogOnDisk>& logs) {
   return folder / fmt::format("{:04}-{:04}{:02}{:02}-{:02}{:02}{:02}{}",
                               logs.empty() ? 1 : logs.back().number + 1, local.tm_year + 1900,
                               local.tm_mon + 1, local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec,
-                              kEnding);
+                              showlog::kLogEnding);
 }
 
 // All or nothing: what could not be written whole is cut off again, so that the file ends with a whole chunk.
@@ -137,7 +98,7 @@ Result<std::unique_ptr<ShowLog>> ShowLog::Open(const fs::path& folder, const sho
   fs::create_directories(folder, error);
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
   std::unique_ptr<ShowLog> log(new ShowLog(folder, head));
-  const auto logs = LogsIn(folder);
+  const auto logs = showlog::LogsIn(folder);
   log->file_ = !logs.empty() && GoesOn(logs.back(), head) ? logs.back().file : NextFile(folder, logs);
   RemoveOld(logs, head, 0);
   return log;
@@ -160,7 +121,7 @@ Result<void> ShowLog::Append(std::span<const std::uint8_t> chunk) {
   std::error_code none;
   const std::uintmax_t bytes = fs::file_size(file_, none);
   if (!none && bytes >= showlog::kFullFile_bytes) {
-    const auto logs = LogsIn(folder_);
+    const auto logs = showlog::LogsIn(folder_);
     file_ = NextFile(folder_, logs);
     showlog::LogHead current;
     current.booted_at = booted_at_;

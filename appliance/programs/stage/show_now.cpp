@@ -76,6 +76,7 @@ board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show
   board::ShowNow now{.act_began = act_began,
                      .cue_active = state.cue_run.active,
                      .cue_standby = state.cue_run.standby,
+                     .cue_count = static_cast<std::int32_t>(show.cue_list.cues.size()),
                      .cue_pending = state.cue_run.pending,
                      .cue_left_s = std::max(0.0F, state.cue_run.left_s),
                      .cue_state = CueStateOf(state),
@@ -90,7 +91,7 @@ board::ShowNow ShowNowOf(const performance::State& state, const show::Show& show
     now.levels[i] = {state.levels[i].value, OwnerOf(state.levels[i]), state.levels[i].role};
   std::ranges::copy(state.role_devices, now.role_devices.begin());
   for (std::size_t i = 0; i < state.voices.size(); ++i)
-    now.motions[i] = {state.voices[i].motion, state.voices[i].at_s, state.voices[i].gain < 1 ? 1U : 0U};
+    now.motions[i] = {state.voices[i].motion, state.voices[i].at_s, std::uint32_t{state.voices[i].ends}};
   now.lobby = static_cast<board::LobbyState>(state.lobby.phase);
   now.lobby_hours = HoursOf(state.lobby, show);
   TellOfTheMouth(state, now);

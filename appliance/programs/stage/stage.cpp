@@ -244,11 +244,10 @@ scene::Scene Stage::Perform(const board::Snapshot& live, Time presented_at) {
   return std::move(performed.scene);
 }
 
-// While a motion plays, and once when none does any more: its sound follows.
+// While a motion with a sound plays, and once when none does any more.
 void Stage::WriteMotionNow(Time presented_at) {
-  const performance::Playing* plays = performance::Youngest(state_);
-  // Cut off by one that has ended since, or held by a pause.
-  if (plays != nullptr && (plays->gain < 1 || state_.cue_run.paused != 0)) plays = nullptr;
+  const performance::Playing* plays = performance::Sounding(state_, studio_.show());
+  if (state_.cue_run.paused != 0) plays = nullptr;
   if (plays == nullptr && motion_now_.motion < 0) return;
   const bool begins =
       plays != nullptr && (plays->motion != motion_now_.motion || plays->at_s < motion_now_.at_s);

@@ -35,6 +35,7 @@ constexpr std::string_view kStageHelp = R"(kaori-stage: draws the face that the 
   --fdkeeper SOCKET where the card is kept while no stage runs
   --still FILE    writes the show's first moment there, as a PPM
   --looked-at FILE while this file is there, what is shown is written each second to look.ppm beside the board
+  --keys FOLDER   in memory: pictures for keys with screens, which the show brings, are laid out there
   --early         sample the input right after each flip, not as late as drawing allows: to compare
 )";
 
@@ -64,6 +65,7 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
       .Text("--fdkeeper", into.fdkeeper)
       .Text("--still", into.still)
       .Text("--looked-at", into.looked_at)
+      .Text("--keys", into.keys)
       .Switch("--early", into.early)
       .Switch("--verified", into.verified);
   if (const auto status = options.Parse(argc, argv)) return status;

@@ -1,8 +1,8 @@
-// Two joysticks seen from above: a pad that springs back, a twist that springs back, a slider that stays.
+// Two joysticks seen from above: a pad that springs back, a twist that springs back, a slider that stays, and buttons.
 // Each of them can be dragged, and can be moved by the arrow keys while it has the focus.
 import {onArrows} from './arrows.js';
-import {clamp, make, onDrag, positionIn, springBack} from './drag.js';
-import {onState, set} from './wire.js';
+import {clamp, make, onDrag, onHold, positionIn, springBack} from './drag.js';
+import {onState, set, tell} from './wire.js';
 
 const kKeyPart = 0.8;  // Of a control's way, while its arrow key is held.
 const kLocalTime_ms = 400;
@@ -105,18 +105,39 @@ function makeSlider(side, name, text) {
   return {element: input, update};
 }
 
+// What a button calls stands on it; one that calls nothing has its number. Which is down is the simulator's word.
+function makeStickButtons(side, name, labels) {
+  const buttons = labels.map(({text, group}, n) => {
+    const button = make('button', {type: 'button', 'aria-pressed': 'false', 'data-group': group,
+                                   class: text ? '' : 'blank', title: text ? `Button ${n + 1}: ${text}` : `Button ${n + 1}`,
+                                   'aria-label': text ? `${name}, button ${n + 1}: ${text}` : `${name}, button ${n + 1}`},
+                        text || `${n + 1}`);
+    onHold(button, {
+      push: () => tell(`${side} hold ${n + 1}`),
+      release: () => tell(`${side} release ${n + 1}`),
+    });
+    return button;
+  });
+  const update = (down) => buttons.forEach((button, n) => {
+    button.setAttribute('aria-pressed', String((down >> n & 1) === 1));
+  });
+  return {element: make('div', {class: 'stick-buttons', role: 'group', 'aria-label': `${name}: buttons`}, ...buttons), update};
+}
+
 export function makeStick(parent, side, label) {
   const name = label.text || (side === 'left' ? 'Left stick' : 'Right stick');
   const pad = makePad(side, name);
   const twist = makeTwist(side, name, label.twist || 'Twist');
   const slider = makeSlider(side, name, label.slide || 'Slider');
+  const buttons = makeStickButtons(side, name, label.buttons);
   parent.append(make('h2', {}, name), pad.element, slider.element, twist.element,
                 make('span', {class: 'name of-twist'}, label.twist || 'Twist'),
-                make('span', {class: 'name of-slide'}, label.slide || 'Slider'));
+                make('span', {class: 'name of-slide'}, label.slide || 'Slider'), buttons.element);
   onState(({sticks}) => {
     const stick = sticks[side === 'left' ? 0 : 1];
     pad.update([stick.x, stick.y]);
     twist.update([stick.twist, 0]);
     slider.update(stick.slider);
+    buttons.update(stick.buttons);
   });
 }

@@ -154,7 +154,8 @@ void UsbredirPort::GetAlternate(std::uint64_t id, std::uint8_t interface) {
 // stalls.
 void UsbredirPort::Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) {
   auto answer = announced_ ? device_->Answer(setup, data) : std::nullopt;
-  if (!answer && announced_) answer = AnswerStandard(device_->descriptors(), setup);
+  if (!answer && announced_ && !device_->answers_standard())
+    answer = AnswerStandard(device_->descriptors(), setup);
   wire_->Control(id, setup, answer ? RedirStatus::kDone : RedirStatus::kStalled, answer.value_or(UsbBytes{}));
 }
 

@@ -44,6 +44,21 @@ TEST(CueSheetOnPaper, SaysWhatBeginsACueAndWhatItDoes) {
   EXPECT_THAT(page, HasSubstr("<li>she leaves the picture, 0.8 s</li>"));
 }
 
+TEST(CueSheetOnPaper, SaysHowATakeIsPlayedAndForWhoseLookACueWaits) {
+  show::Show show = ShowWithCues();
+  show.motions = {{.name = "greeting",
+                   .key_usage = 0,
+                   .curves = {{show::MotionTarget::kHeadYaw, 0, {{0, 0}, {1, 0.1F}, {9, 0}}}}}};
+  show.gaze_targets = {{"house", {0, 0, 4}}, {"seat <12>", {0, 0, 4}}};
+  show.cue_list.cues[0].motion = 0;
+  show.cue_list.cues[0].use = {.layer = show::MotionLayer::kOver, .gain = 0.8F, .from_s = 2.5F};
+  show.cue_list.cues[0].wait = {show::CuePerson::kGazeOn, 0.5F, 20, 1};
+  const std::string page = CueSheet(show, SheetLanguage::kEnglish);
+  EXPECT_THAT(page, HasSubstr("motion greeting, over, 0.8 times as large, from 2.5 s on"));
+  EXPECT_THAT(page, HasSubstr("GO, then 0.5 s; her look on seat &lt;12&gt; for 0.5 s, or after 20 s"));
+  EXPECT_THAT(CueSheet(show, SheetLanguage::kJapanese), HasSubstr("動き greeting、over、0.8 倍、2.5 秒から"));
+}
+
 TEST(CueSheetOnPaper, HasAHeadingForEachAct) {
   const std::string page = CueSheet(ShowWithCues(), SheetLanguage::kEnglish);
   const std::size_t one = page.find(">One</th>"), two = page.find(">Two</th>");

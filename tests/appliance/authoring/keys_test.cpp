@@ -90,7 +90,7 @@ class DrawnKeys : public ::testing::Test {
   ~DrawnKeys() override { fs::remove_all(folder_); }
   int Draw(const show::Show& show) const {
     const auto studio = stage::Studio::Open(show).value();
-    return DrawKeys(*studio, folder_, [](std::string_view) {}).value();
+    return DrawKeys(*studio, KeyFiles(folder_).value(), [](std::string_view) {}).value();
   }
   std::set<std::string> Names(const char* size) const {
     std::set<std::string> names;

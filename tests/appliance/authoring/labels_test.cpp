@@ -9,7 +9,6 @@
 
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/levels.h"
-#include "appliance/core/performance/motions.h"
 #include "appliance/core/roles/own_buttons.h"
 #include "hw-sim/console/labels.h"
 #include "tests/appliance/core/performance_fixture.h"
@@ -32,6 +31,7 @@ show::Show NamedShow() {
   show.second_buttons[2] = {show::CallKind::kExpression, 1, show::CallMode::kToggle};
   show.second_buttons[3] = {show::CallKind::kFace, 1};
   show.second_buttons[4] = {show::CallKind::kSheet, 0};
+  show.stick_buttons[show::kStickButtonCount + 11] = {show::CallKind::kFace, 3};
   show.roles.mixes = {{show::CallKind::kFace, 2}};
   show.keys = {{kKeyQ, {show::CallKind::kStyle, static_cast<std::uint16_t>(scene::Style::kWire)}}};
   return show;
@@ -100,6 +100,12 @@ TEST_F(AuthoredLabels, NameTheButtonsOfTheSecondSheetAndWhichOfThemFillADial) {
   EXPECT_EQ(labels_.second_buttons[4].text, "Sheet 1");
 }
 
+TEST_F(AuthoredLabels, NameTheButtonsOfTheSticks) {
+  EXPECT_EQ(labels_.sticks[0].buttons[0].text, "") << "it calls nothing";
+  EXPECT_EQ(labels_.sticks[1].buttons[11].text, "Face 3");
+  EXPECT_EQ(labels_.sticks[1].buttons[11].group, "face");
+}
+
 TEST_F(AuthoredLabels, NameTheLevelsOfSingleFaces) {
   ASSERT_EQ(labels_.levels.size(), show::kNamedLevels + 1) << "as many as the show plays";
   EXPECT_EQ(labels_.levels.back().text, "Face face 2");
@@ -119,7 +125,7 @@ TEST_F(AuthoredLabels, SayOfEachMotionHowLongItIsAndWhatItMoves) {
   ASSERT_FALSE(labels_.motions.empty());
   const show::Motion& motion = show_.motions[0];
   EXPECT_EQ(labels_.motions[0].text, Readable(motion.name));
-  EXPECT_NEAR(labels_.motions[0].length_s, performance::EndOf(motion), 1e-3);
+  EXPECT_NEAR(labels_.motions[0].length_s, show::EndOf(motion), 1e-3);
   EXPECT_EQ(labels_.motions[0].loops, motion.Loops());
   EXPECT_EQ(labels_.motions[0].take, motion.recorded);
   EXPECT_NE(labels_.motions[0].moves, "");

@@ -41,7 +41,8 @@ TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {
   after.cast.faces[3].name = "other";
   after.motions.clear();
   EXPECT_THAT(Differences(before, after),
-              ElementsAre("face \"long\": is gone", "face \"other\": is new", "motion \"nod\": is gone"));
+              ElementsAre("face \"long\": is gone", "face \"other\": is new", "motion \"nod\": is gone",
+                          "cue 1.5: motion nod is now nothing"));
 }
 
 TEST(PackDiff, SaysHowMuchOfATextureChanged) {
@@ -102,6 +103,31 @@ TEST(PackDiff, SaysWhatTheLobbyDoesOtherwise) {
   after.lobby.reset();
   EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("lobby: is gone"));
   EXPECT_THAT(Differences(after, SmallShow()), ElementsAre("lobby: is new"));
+}
+
+TEST(PackDiff, SaysWhatACueDoesOtherwiseAndWhichIsNewOrGone) {
+  Show after = SmallShow();
+  auto& cues = after.cue_list.cues;
+  after.cue_list.goto_s = 1;
+  cues[0].scene->in_s = 4;
+  cues[0].notes = "";
+  cues[1].use = {.layer = show::MotionLayer::kOver, .gain = 0.8F, .from_s = 0.5F};
+  cues[1].wait = {show::CuePerson::kGazeOn, 0.3F, 20, 1};
+  cues[1].gaze = 1;
+  cues[1].lock = false;
+  cues[1].release = 1U << static_cast<unsigned>(show::Level::kHeadYaw);
+  cues.push_back({.number = "2", .motion = show::kEndsMotion});
+  EXPECT_THAT(
+      Differences(SmallShow(), after),
+      ElementsAre("cue list: goto_s 2.00 s is now 1.00 s", "cue 1: notes with the drum is now nothing",
+                  "cue 1: scene opening in 3.00 s is now opening in 4.00 s",
+                  "cue 1.5: motion nod is now nod over, gain 0.80, from 0.50 s",
+                  "cue 1.5: release nothing is now head_yaw", "cue 1.5: gaze nobody is now seat 12",
+                  "cue 1.5: lock true is now nothing",
+                  "cue 1.5: wait_for voice_quiet 1.00 s, at most 20.00 s is now gaze_on seat 12 0.30 s, at "
+                  "most 20.00 s",
+                  "cue 2: is new"));
+  EXPECT_THAT(Differences(after, SmallShow()), ::testing::Contains("cue 2: is gone"));
 }
 
 TEST(PackDiff, SaysWhatASceneDoesOtherwise) {

@@ -1,6 +1,6 @@
 // The show report: what an evening's log tells people.
-#include "appliance/authoring/report/report.h"
-#include "appliance/authoring/report/take.h"
+#include "appliance/core/report/report.h"
+#include "appliance/authoring/record/take.h"
 #include "appliance/authoring/takes/played.h"
 
 #include <gmock/gmock.h>
@@ -13,6 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using namespace report;  // NOLINT: of evenings and their reports.
 
 class ReportTest : public showlog::ShowLogTest {
  protected:
@@ -84,6 +85,19 @@ TEST_F(ReportTest, NamesActsCuesRefusedGosAndWhatWasLost) {
   EXPECT_EQ(evening.incidents[1].what, "left stick is back after 3.0 s");
   ASSERT_GE(evening.hand_to_scanout.frames, 1U);
   EXPECT_LT(evening.hand_to_scanout.p99_ms, 60);
+}
+
+TEST_F(ReportTest, SaysHowLongALipsPictureTakesToTheScreen) {
+  for (int frame = 0; frame < 120; ++frame) {
+    board_.lips.value.quality = frame < 60 ? 0.9F : 0;  // The second half sees no mouth.
+    board_.lips.at = now_ + performance::kFrame - 20ms;
+    PlayQuietly();
+  }
+  const Evening evening = Told();
+  EXPECT_NEAR(evening.lips_to_scanout.median_ms, 20, 0.1);
+  EXPECT_NEAR(static_cast<double>(evening.lips_to_scanout.frames), 59, 1)
+      << "nobody is measured who is not seen";
+  EXPECT_THAT(TextOfReport(ReportOf(evening, {}, show_)), HasSubstr("Lips to scan-out: 20.0 ms (median)"));
 }
 
 TEST_F(ReportTest, SaysWhatALineCheckFoundAndTakesNoDeviceForLostMeanwhile) {

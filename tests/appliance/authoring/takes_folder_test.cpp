@@ -91,6 +91,29 @@ TEST_F(TakesFolder, LieUnderOrOverWhatIsPlayedLiveOrAreAddedToIt) {
   EXPECT_THAT(Read(), ElementsAre(HasSubstr("turn.toml:2: layer: \"below\" is none of add, under, over")));
 }
 
+TEST_F(TakesFolder, ArePlayedAsACueSays) {
+  Write("takes/wave.toml", kTake);
+  Write("show.toml", std::string("[gaze]\n\"seat 12\" = [0, 0, 5]\n") + kShow);
+  Write("cues.toml",
+        "[[cue]]\nnumber = \"1\"\ntake = { name = \"wave\", layer = \"over\", gain = 0.8, from_s = 1.5 }\n"
+        "[[cue]]\nnumber = \"2\"\nmotion = { name = \"nod\" }\nwait_for = { gaze_on = \"seat 12\", at_most_s "
+        "= 9 }\n"
+        "[[cue]]\nnumber = \"3\"\ntake = { name = \"none\" }\n"
+        "wait_for = { gaze_on = \"seat 12\", gaze_s = 2, at_most_s = 9 }\n");
+  EXPECT_THAT(Read(), IsEmpty());
+  const auto& cues = show_.cue_list.cues;
+  ASSERT_EQ(cues.size(), 3U);
+  EXPECT_EQ(cues[0].motion, 1);
+  EXPECT_EQ(cues[0].use, (show::MotionUse{show::MotionLayer::kOver, 0.8F, 1.5F}));
+  EXPECT_EQ(cues[1].motion, 0);
+  EXPECT_EQ(cues[1].use, show::MotionUse{});
+  EXPECT_EQ(cues[1].wait.person, show::CuePerson::kGazeOn);
+  EXPECT_EQ(show_.gaze_targets.at(static_cast<std::size_t>(cues[1].wait.target)).name, "seat 12");
+  EXPECT_FLOAT_EQ(cues[1].wait.for_s, 0.3F);
+  EXPECT_EQ(cues[2].motion, show::kEndsMotion);
+  EXPECT_FLOAT_EQ(cues[2].wait.for_s, 2);
+}
+
 TEST_F(TakesFolder, AreWrittenAsTheyAreReadToTheBit) {
   Take take = WaveOf(3);
   take.curves.push_back(

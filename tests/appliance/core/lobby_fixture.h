@@ -64,7 +64,7 @@ class LobbyTest : public CuesTest {
 
   LobbyPhase Phase() const { return state_.lobby.phase; }
   int Plays() const {
-    const Playing* youngest = Youngest(state_);
+    const Playing* youngest = LastCalled(state_);
     return youngest != nullptr ? youngest->motion : -1;
   }
   float Lids() const { return performed_.scene.weights.lids_shut[0]; }

@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "appliance/core/show/pack.h"
+#include "appliance/core/show/pack_keys.h"
 #include "drivers/base/whole_file.h"
 #include "tests/appliance/core/pack_fixture.h"
 #include "tests/appliance/core/small_disk.h"
@@ -29,6 +30,28 @@ TEST_F(SavedPack, ReplacesTheOldOneAndLeavesNothingElse) {
   ASSERT_TRUE(SavePack(next, file_));
   EXPECT_EQ(NameIn(file_), "next");
   EXPECT_EQ(Files(), 1);
+}
+
+TEST_F(SavedPack, CarriesPicturesOfKeysThroughASignature) {
+  const std::vector<show::KeyPicture> keys{{72, 0, false, {1, 2}}, {96, ~std::uint64_t{0}, true, {3}}};
+  ASSERT_TRUE(show::SavePackWithKeys({SmallShow(), keys}, file_));
+  const auto signer = show::MakeKey().value();
+  ASSERT_TRUE(show::SignPack(file_, file_, signer));
+  const auto whole = show::LoadPackWithKeys(file_);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->keys, keys);
+  EXPECT_EQ(NameIn(file_), SmallShow().name) << "who does not ask for them reads the show";
+  ASSERT_TRUE(SavePack(SmallShow(), file_));
+  EXPECT_TRUE(show::LoadPackWithKeys(file_)->keys.empty());
+}
+
+TEST_F(SavedPack, WithMorePicturesOfKeysThanThereCanBeIsRefusedWithOneLine) {
+  show::ShowWithKeys whole{SmallShow(),
+                           {{72, 1, false, std::vector<std::uint8_t>(show::kMostKeyPicture_bytes + 1)}}};
+  ASSERT_TRUE(show::SavePackWithKeys(whole, file_));
+  EXPECT_THAT(show::LoadPackWithKeys(file_).error().message(),
+              HasSubstr("too many pictures of keys, or too large ones"));
+  EXPECT_EQ(NameIn(file_), SmallShow().name);
 }
 
 TEST_F(SavedPack, OnAFullDiskKeepsTheOldOneAndSaysSoInOneLine) {

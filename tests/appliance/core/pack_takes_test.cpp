@@ -51,6 +51,23 @@ TEST_F(PackOfTakes, ComesOutAsItWentInWithWhatCallsAndEndsThem) {
   EXPECT_EQ(loaded->cue_list.cues.at(0).motion, show::kEndsMotion);
 }
 
+TEST_F(PackOfTakes, KeepsHowACuePlaysATakeAndForWhoseLookItWaits) {
+  Show show = SmallShow();
+  show.motions.push_back(Sway());
+  show.cue_list.cues[0].motion = 1;
+  show.cue_list.cues[0].use = {.layer = show::MotionLayer::kOver, .gain = 0.5F, .from_s = 1.25F};
+  show.cue_list.cues[1].wait = {show::CuePerson::kGazeOn, 0.5F, 20, 1};
+  ASSERT_THAT(CheckShow(show), ::testing::IsEmpty());
+  const auto loaded = LoadPack(Write(EncodePack(show)));
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_EQ(loaded->cue_list.cues[0].use, show.cue_list.cues[0].use);
+  EXPECT_EQ(loaded->cue_list.cues[1].use, show::MotionUse{}) << "as in packs of before";
+  EXPECT_EQ(loaded->cue_list.cues[1].wait.person, show::CuePerson::kGazeOn);
+  EXPECT_EQ(loaded->cue_list.cues[1].wait.target, 1);
+  EXPECT_EQ(loaded->cue_list.tracked[1].loops,
+            (std::vector{show::TrackedLoop{1, show.cue_list.cues[0].use}}));
+}
+
 using PackOfBefore = PackTest;
 
 // As an earlier program wrote it: the table of the show has no such field.
@@ -86,6 +103,28 @@ TEST(CheckTakes, RefusesALoopThatJumpsOrHasASoundOrIsNone) {
               HasSubstr("its layer is not known"));
   EXPECT_THAT(fault_of([](show::Motion& m) { m.curves[0].keys.pop_back(); }),
               HasSubstr("must start and end at 0"));
+}
+
+TEST(CheckTakes, RefusesACueThatPlaysATakeAsNoneCanBePlayedOrWaitsForALookAtNobody) {
+  const auto fault_of = [](void (*spoil)(show::Cue&)) {
+    Show show = SmallShow();
+    spoil(show.cue_list.cues[1]);
+    const auto faults = CheckShow(show);
+    return faults.empty() ? "none" : faults.front();
+  };
+  EXPECT_EQ(fault_of([](show::Cue& c) { c.use.from_s = 0.99F; }), "none");
+  EXPECT_EQ(fault_of([](show::Cue& c) { c.use.from_s = 1; }),
+            "cue 1.5: its motion begins at 1 s and ends at 1 s");
+  EXPECT_THAT(fault_of([](show::Cue& c) { c.use.from_s = std::numeric_limits<float>::quiet_NaN(); }),
+              HasSubstr("its motion begins at nan s"));
+  EXPECT_EQ(fault_of([](show::Cue& c) { c.use.gain = 2.5F; }),
+            "cue 1.5: the gain of its motion is 2.5, not within 0.1 to 2");
+  EXPECT_EQ(fault_of([](show::Cue& c) { c.use.layer = static_cast<show::MotionLayer>(3); }),
+            "cue 1.5: the layer of its motion is not known");
+  EXPECT_EQ(fault_of([](show::Cue& c) {
+              c.wait = {show::CuePerson::kGazeOn, 0.3F, 20, 2};
+            }),
+            "cue 1.5: it waits for a look at the gaze target 2, and there is none such");
 }
 
 TEST(CheckTakes, RefusesACueThatFollowsALoop) {

@@ -1,6 +1,7 @@
 // The cue list as it is played: waits, a stage that starts anew, and the numbers of cues.
 #include <cmath>
 
+#include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/recall.h"
 #include "tests/appliance/core/cues_fixture.h"
 
@@ -27,6 +28,33 @@ TEST_F(CuesTest, ACueWaitsForAQuietVoiceAndNotForEver) {
   Run(3900ms);
   EXPECT_EQ(run().active, -1);
   Run(200ms);
+  EXPECT_EQ(run().active, 0) << "the longest wait is over";
+}
+
+// A stick brings the look to the seat; a look that passes by, and one that is near only, begin nothing.
+TEST_F(CuesTest, ACueWaitsForALookThatRestsOnSomebodyAndNotForEver) {
+  const auto wait = [this] {
+    Start();
+    show_.cue_list.cues[0].wait = {CuePerson::kGazeOn, 0.3F, 4, 1};
+    ASSERT_TRUE(IsValid(state_, show_));
+    Strike(kGo);
+    Run(1s);
+    EXPECT_EQ(run().active, -1) << "she looks ahead";
+  };
+  const auto look = [this](float yaw_rad, Duration time) {
+    for (const Time end = now_ + time; now_ < end;) {
+      SetRemotely(state_, show_.roles, show::Level::kGazeYaw, yaw_rad);
+      Step();
+    }
+  };
+  const float aside_rad = std::atan2(-1.0F, 5.0F);
+  wait();
+  look(aside_rad + 0.12F, 1s);
+  EXPECT_EQ(run().active, -1) << "7 degrees beside it";
+  look(aside_rad, 1s);
+  EXPECT_EQ(run().active, 0);
+  wait();
+  Run(3100ms);
   EXPECT_EQ(run().active, 0) << "the longest wait is over";
 }
 

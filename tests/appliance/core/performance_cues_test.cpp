@@ -205,6 +205,21 @@ TEST_F(CuesTest, AJumpInTheMiddleOfAFadeDoesNotLeap) {
   EXPECT_NEAR(Weight(performed_.scene.weights.faces, 3), before, 0.02F);
 }
 
+// Desks send twice. A jump that begins anew begins its fade anew.
+TEST_F(CuesTest, TheSameCueCalledAgainWithinTheGuardIsOneCallAndLaterItIsAnother) {
+  const auto call = [this](const char* number) {
+    Make({.at = now_, .verb = board::CallVerb::kGoTo, .subject = board::CueKey(number)});
+    Step();
+    return state_.backdrops.progress;
+  };
+  const float first = call("4");
+  Run(200ms);
+  EXPECT_GT(call("4"), first + 0.1F) << "the fade goes on";
+  Run(200ms);
+  EXPECT_NEAR(call("4"), first, 0.01F) << "the guard is over: it begins anew";
+  EXPECT_NEAR(call("5"), first, 0.01F) << "another number is never guarded";
+}
+
 TEST_F(CuesTest, BackHoldsWhatRunsAndThenGoesToTheCueBefore) {
   Go();
   Run(2s);

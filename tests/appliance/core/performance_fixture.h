@@ -36,6 +36,14 @@ inline show::Show SmallShow() {
 }
 
 // A performance whose input a test moves; life is quiet unless asked for.
+// The motion that was called last, of those that play or end; null: none. Borrowed from the state.
+inline const Playing* LastCalled(const State& state) {
+  const Playing* last = nullptr;
+  for (const Playing& voice : state.voices)
+    if (voice.motion >= 0 && (last == nullptr || voice.number > last->number)) last = &voice;
+  return last;
+}
+
 class PerformanceTest : public ::testing::Test {
  protected:
   PerformanceTest() : state_(Opening(show_, board_, now_)) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/motions.h"
 #include "tests/appliance/core/performance_fixture.h"
 
 namespace kaori::performance {
@@ -130,7 +131,8 @@ TEST_F(Leaps, AreNotMadeByATakeThatWasCutOffWhenTheOtherEndsFirst) {
   show_.motions[1].curves[0].keys = {{0, 0}, {0.05F, 0.01F}, {0.1F, 0}};
   Strike(0xA5);
   Run(1s);
-  Strike(0xA0);  // Ends after 0.1 s, before the one that it cut off has faded out.
+  EndMotion(state_, 6);
+  Strike(0xA0);  // Ends after 0.1 s, before the one that fades out.
   Run(300ms);
   EXPECT_FLOAT_EQ(performed_.scene.head.yaw_rad, 0) << "what fades out does not stop half way";
 }

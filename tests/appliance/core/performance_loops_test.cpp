@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/motions.h"
@@ -79,14 +81,14 @@ TEST_F(Loops, BeginAndEndByCallsOfAPage) {
   EXPECT_TRUE(IsPlaying(state_, kLoop));
   Run(1s);
   call(kLoop, 1);
-  ASSERT_NE(Youngest(state_), nullptr);
-  EXPECT_LT(Youngest(state_)->at_s, 0.1F) << "it begins anew";
+  ASSERT_NE(LastCalled(state_), nullptr);
+  EXPECT_LT(LastCalled(state_)->at_s, 0.1F) << "it begins anew";
   call(kOther, 0);
   EXPECT_TRUE(IsPlaying(state_, kLoop)) << "another one was ended";
   call(kLoop, 0);
   EXPECT_FALSE(IsPlaying(state_, kLoop));
   Run(400ms);
-  EXPECT_EQ(Youngest(state_), nullptr);
+  EXPECT_EQ(LastCalled(state_), nullptr);
   EXPECT_EQ(state_.calls_refused, 0U);
   call(99, 1);
   EXPECT_EQ(state_.calls_refused, 1U) << "the show has no such motion";
@@ -99,30 +101,17 @@ TEST_F(Loops, KeepTheirTime) {
   EXPECT_NEAR(state_.voices[0].at_s, 2.001F, 2e-3F) << "60 s are 29 turns behind the first 2 s";
 }
 
-TEST_F(Loops, GiveWayToTheMotionThatIsCalledNextAndDoNotComeBack) {
+TEST_F(Loops, PlayOnBesideAMotionThatIsCalledMeanwhile) {
   Push(kButton);
   Run(3s);
   Strike(0x20);
-  Run(300ms);
-  EXPECT_FALSE(IsPlaying(state_, kLoop));
-  EXPECT_TRUE(IsPlaying(state_, kOther))
-      << "a loop that begins anew while it fades out does not end the new one";
-  EXPECT_NEAR(Roll(), 0, 1e-4F);
+  Run(500ms);
+  EXPECT_TRUE(IsPlaying(state_, kLoop));
+  EXPECT_NEAR(performed_.scene.head.yaw_rad, 0.3F, 0.02F) << "at its full gain,";
+  EXPECT_NEAR(Roll(), 0.2F, 0.102F) << "and the loop at its own";
   Run(3s);
-  EXPECT_EQ(Youngest(state_), nullptr);
-}
-
-// The loop begins anew in the very quarter of a second in which it fades out.
-TEST_F(Loops, ThatBeginAnewWhileTheyFadeOutStayOld) {
-  show_.motions[kLoop].loop_from_s = 0.05F;
-  show_.motions[kLoop].loop_to_s = 2.05F;
-  Push(kButton);
-  Run(1850ms);
-  Strike(0x20);
-  Run(240ms);
-  EXPECT_TRUE(IsPlaying(state_, kOther));
-  ASSERT_NE(Youngest(state_), nullptr);
-  EXPECT_EQ(Youngest(state_)->motion, kOther);
+  EXPECT_FALSE(IsPlaying(state_, kOther));
+  EXPECT_TRUE(IsPlaying(state_, kLoop));
 }
 
 TEST_F(Loops, AreEndedByStopAndByACueThatSaysSo) {
@@ -140,17 +129,56 @@ TEST_F(Loops, AreEndedByStopAndByACueThatSaysSo) {
   EXPECT_FALSE(IsPlaying(state_, kLoop));
 }
 
-TEST_F(Loops, OfTheCueListPlayAfterAJumpAsAfterARunThroughIt) {
-  const auto& tracked = show_.cue_list.tracked;
-  EXPECT_EQ(tracked[1].loop, show::kNoMotion);
-  EXPECT_EQ(tracked[2].loop, kLoop);
-  EXPECT_EQ(tracked[4].loop, show::kNoMotion) << "the motion of cue 2.10 has ended it";
-  GoToCue(state_, show_, 1);
-  Run(3s);
-  EXPECT_TRUE(IsPlaying(state_, kLoop));
-  GoToCue(state_, show_, 0);
-  Run(1s);
-  EXPECT_FALSE(IsPlaying(state_, kLoop));
+// The loops that play, as the list has called them.
+std::vector<show::TrackedLoop> LoopsOf(const State& state, const show::Show& show) {
+  std::vector<const Playing*> playing;
+  for (const Playing& voice : state.voices)
+    if (voice.motion >= 0 && voice.ends == 0 && show.motions[static_cast<std::size_t>(voice.motion)].Loops())
+      playing.push_back(&voice);
+  std::ranges::sort(playing, {}, [](const Playing* voice) { return voice->number; });
+  std::vector<show::TrackedLoop> loops;
+  for (const Playing* voice : playing)
+    loops.push_back({voice->motion, {.layer = voice->layer, .gain = voice->size}});
+  return loops;
+}
+
+// Ten loops, as more than can play at once, each called by a cue of its own with its own layer and gain; then one that
+// begins anew, one that plays once, and the end of all.
+TEST_F(Loops, OfTheCueListPlayAfterAnyJumpAsAfterARunThroughIt) {
+  constexpr int kFirst = 3, kCount = 10;
+  for (int i = 0; i < kCount; ++i) show_.motions.push_back(LoopingMotion());
+  auto& cues = show_.cue_list.cues;
+  cues.clear();
+  const auto call = [&cues](int motion, show::MotionUse use) {
+    cues.push_back({.number = std::to_string(cues.size() + 1), .motion = motion, .use = use});
+  };
+  for (int i = 0; i < kCount; ++i)
+    call(kFirst + i,
+         {.layer = static_cast<show::MotionLayer>(i % 3), .gain = 0.2F + 0.1F * static_cast<float>(i)});
+  call(kFirst + 5, {.gain = 2, .from_s = 1.5F});
+  call(kOther, {});
+  call(show::kEndsMotion, {});
+  call(kFirst, {});
+  show::Track(show_);
+  const auto count = static_cast<std::int32_t>(cues.size());
+  std::vector<std::vector<show::TrackedLoop>> run_through;
+  state_ = Opening(show_, board_, now_);
+  for (std::int32_t cue = 0; cue < count; ++cue) {
+    Go();
+    run_through.push_back(LoopsOf(state_, show_));
+  }
+  EXPECT_EQ(run_through[9].size(), std::size_t{show::kMostTakes});
+  EXPECT_EQ(run_through[11].size(), std::size_t{show::kMostTakes} - 1)
+      << "the motion that plays once took a place";
+  EXPECT_TRUE(run_through[12].empty());
+  for (std::int32_t from = 0; from < count; ++from)
+    for (std::int32_t to = 0; to < count; ++to) {
+      GoToCue(state_, show_, from);
+      Step();
+      GoToCue(state_, show_, to);  // While those of `from` fade out.
+      Step();
+      EXPECT_EQ(LoopsOf(state_, show_), run_through[static_cast<std::size_t>(to)]) << from << " to " << to;
+    }
 }
 
 }  // namespace

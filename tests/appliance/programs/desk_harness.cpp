@@ -1,6 +1,6 @@
 // An operator with green lips, the lips and the desk in one process: the harness of the browser tests.
 // Usage: desk-harness FOLDER [--plain]
-// Prints "address URL", "code 123456" for each new code. Reads lines:
+// kaori-shows may listen at FOLDER/report/desk. Prints "address URL", "code 123456" for each new code. Reads lines:
 //   mouth HEIGHT WIDTH    paint R G B (0 .. 1)    lips off | on    camera off | on
 
 #include <unistd.h>
@@ -101,7 +101,8 @@ class Commands {
 };
 
 Result<desk::DeskOptions> OptionsOf(const std::string& folder, bool plain) {
-  desk::DeskOptions options{.port = 0, .reach = web::Reach::kThisMachine};
+  desk::DeskOptions options{
+      .port = 0, .reach = web::Reach::kThisMachine, .shows = folder + "/report/desk", .brought = folder};
   if (plain) return options;
   const auto own = desk::LoadOrMakeCertificate(folder, {desk::OwnNames(), 0x7F000001U, std::time(nullptr)});
   if (!own) return tl::unexpected(own.error());

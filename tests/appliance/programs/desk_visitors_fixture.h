@@ -19,14 +19,20 @@ class DeskVisitors : public ::testing::Test {
   DeskVisitors() : loop_(EventLoop::Open().value()) {
     fixture_.hand.scene.person.paint = {0.05F, 0.62F, 0.2F};
     fixture_.StartLips();
-    desk_ = desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine}, fixture_.board, loop_,
-                             fixture_.clock)
+    desk_ = desk::Desk::Open({.port = 0,
+                              .reach = web::Reach::kThisMachine,
+                              .shows = ShowsSocket(),
+                              .brought = fixture_.folder()},
+                             fixture_.board, loop_, fixture_.clock)
                 .value();
     fixture_.each_step = [this] { desk_->Step(); };
     fixture_.Play(std::chrono::milliseconds(100));
     const std::string address = desk_->address();
     port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
   }
+
+  // Where a test may listen in the place of kaori-shows.
+  std::string ShowsSocket() const { return (fixture_.folder() / "shows").string(); }
 
   std::function<void()> Pump() {
     return [this] { desk_->Step(); };

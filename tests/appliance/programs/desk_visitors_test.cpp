@@ -80,7 +80,7 @@ TEST_F(DeskVisitors, OfOtherSitesAreRefused) {
 
 TEST_F(DeskVisitors, AreRefusedWhatIsTooLongOrMeaningless) {
   const std::string cookie = Pair();
-  Asked post{.method = "POST", .path = "/do", .body = std::string(5000, 'x'), .cookie = cookie};
+  Asked post{.method = "POST", .path = "/do", .body = std::string(70'000, 'x'), .cookie = cookie};
   EXPECT_EQ(Status(post), 413);
   for (const char* body :
        {"", "kettle", "sample 0.5", "sample nan 1", "sample 0.5 0.5 0.5", "set key.spill", "begin", "look",

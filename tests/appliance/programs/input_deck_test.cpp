@@ -44,6 +44,20 @@ TEST_P(EveryDeck, ItsLastKeyIsTheButtonOfThatNumber) {
   EXPECT_EQ(Board().surface.value.buttons_down, 0U);
 }
 
+TEST_F(Decks, PicturesThatTheShowBringsGoBeforeThoseOfTheImage) {
+  for (SurfaceMap& map : maps_) map.pictures_of_show = file_.folder() / "of-the-show";
+  std::filesystem::create_directories(file_.folder() / "of-the-show/72");
+  std::ofstream(file_.folder() / fmt::format("of-the-show/72/{:016x}.jpg", kSmile), std::ios::binary)
+      << GreyJpeg(72, 30);
+  sim::StreamDeck deck(Kind::kMk2);
+  PlugAndPlay(deck);
+  ExpectGrey(deck, 2, 30);
+  ExpectGrey(deck, 3, 0);
+  show_now_.Write({.sheet = 1}, clock_.now(), SourceState::kLive);
+  Play(milliseconds(50));
+  ExpectGrey(deck, 2, 90);
+}
+
 TEST_F(Decks, KeysChangeTheirPicturesWithTheSheet) {
   sim::StreamDeck deck(Kind::kMk2);
   PlugAndPlay(deck);

@@ -148,6 +148,7 @@ TEST_F(GpioDials, AChipThatIsPulledIsWaitedFor) {
   Play(milliseconds(3));
   EXPECT_EQ(Surface().source, board::SourceState::kStale);
   chip_.unplugged = false;
+  chip_.sequence = 0;  // Linux numbers the edges of each request from 1.
   Play(milliseconds(600));
   chip_.Turn(0, 5, clock_.now());
   Play(milliseconds(3));

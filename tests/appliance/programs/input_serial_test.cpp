@@ -172,6 +172,22 @@ TEST_P(MuteBox, ABoxThatDoesNotAnswerIsOneLineAndIsFoundWhenItHasPower) {
   EXPECT_EQ(service_->attached_devices(), 1);
 }
 
+// As by a second question that the box gets after it was started, or by its power that went and came.
+TEST_P(MuteBox, ABoxThatBeganAnewIsStartedAnewAndPlays) {
+  PlugIn();
+  box_.Receive(std::array<std::uint8_t, 1>{0x20}, clock_.now());
+  EXPECT_FALSE(box_.reports());
+  Play(milliseconds(400));
+  EXPECT_TRUE(box_.reports());
+  // The first position of a box that tells positions is no turn.
+  box_.Turn(4, 1);
+  Play(milliseconds(30));
+  const auto before = Surface().value.counts;
+  box_.Turn(4, 9);
+  Play(milliseconds(30));
+  EXPECT_EQ(Surface().value.counts[4] - before[4], 9);
+}
+
 TEST(SerialOption, NamesTheKindsThatThereAre) {
   EXPECT_EQ(serial::ParseSerialBox("/dev/ttyUSB0=dls80", 200)->box, decode::SerialBox::kDls80);
   for (const char* wrong : {"/dev/ttyUSB0", "=sgi", "/dev/ttyUSB0=sn921"})

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -21,7 +22,7 @@ namespace kaori::shows {
 class ServiceTest : public tests::PackTest {
  protected:
   // What of the box itself is offered: the tests of all else speak of a list without it.
-  enum class Offers { kShows, kCopies, kSettings };
+  enum class Offers { kShows, kCopies, kSettings, kAll };
   explicit ServiceTest(Offers offers = Offers::kShows) : offers_(offers) {
     for (const char* each : {"stick", "shows", "report", "root-keys"})
       std::filesystem::create_directories(folder_ / each);
@@ -90,20 +91,24 @@ class ServiceTest : public tests::PackTest {
                            return writable ? closed_ : Result<void>{};
                          }},
                     [this](const std::filesystem::path&) { return trial_; }};
+  // Where the desk calls, as this test may.
+  DeskLink desk_ = DeskLink::Open((folder_ / "desk").string(), ::geteuid()).value();
   BoxSettings settings_{{.data = folder_, .zones = folder_ / "zones", .screens = folder_ / "screens"}};
-  InstallService service_{{folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report",
-                           folder_ / "plays", (folder_ / "update").string(), folder_ / "pending"},
-                          *shows_,
-                          board_,
-                          [this]() -> Result<std::optional<std::filesystem::path>> {
-                            if (unreadable_) return FailInput("mount the stick /dev/sdb1");
-                            if (!plugged_) return std::optional<std::filesystem::path>();
-                            return std::optional(folder_ / "stick");
-                          },
-                          [this](const std::filesystem::path&) { return trial_; },
-                          {.support = [this](const std::filesystem::path&) { return support_; },
-                           .copies = offers_ == Offers::kCopies ? &copies_ : nullptr,
-                           .settings = offers_ == Offers::kSettings ? &settings_ : nullptr}};
+  InstallService service_{
+      {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays",
+       (folder_ / "update").string(), folder_ / "pending"},
+      *shows_,
+      board_,
+      [this]() -> Result<std::optional<std::filesystem::path>> {
+        if (unreadable_) return FailInput("mount the stick /dev/sdb1");
+        if (!plugged_) return std::optional<std::filesystem::path>();
+        return std::optional(folder_ / "stick");
+      },
+      [this](const std::filesystem::path&) { return trial_; },
+      {.support = [this](const std::filesystem::path&) { return support_; },
+       .copies = offers_ == Offers::kCopies || offers_ == Offers::kAll ? &copies_ : nullptr,
+       .settings = offers_ == Offers::kSettings || offers_ == Offers::kAll ? &settings_ : nullptr,
+       .desk = offers_ == Offers::kShows ? nullptr : &desk_}};
 };
 
 }  // namespace kaori::shows

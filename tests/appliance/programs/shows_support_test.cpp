@@ -30,6 +30,7 @@ class SupportTest : public tests::PackTest {
                .release = folder_ / "os-release",
                .machine_id = folder_ / "machine-id",
                .usb = folder_ / "usb",
+               .reports = folder_ / "reports",
                .status = {.settings = folder_ / "profile",
                           .screens = folder_ / "screens",
                           .notices = folder_ / "notices",
@@ -55,6 +56,18 @@ class SupportTest : public tests::PackTest {
   Journal journal_ = [](JournalPart, std::size_t) { return std::string(); };
   std::size_t most_bytes_ = 0;
 };
+
+TEST_F(SupportTest, HasTheNewestShowReport) {
+  EXPECT_THAT(Report(), HasSubstr("== Show report of the last evening ==\n\nthere is none yet\n"));
+  fs::create_directories(folder_ / "reports");
+  Put("reports/0007-20261122-190000.report.txt", "Kaori, the seventh\n");
+  Put("reports/0008-20261123-190000.report.txt", "Kaori, the eighth\n");
+  Put("reports/0008-20261123-190000.report.html", "<html>\n");
+  Put("reports/0009-20261124-190000.kaorilog", "\n");
+  const std::string report = Report();
+  EXPECT_THAT(report, HasSubstr("evening ==\n\n0008-20261123-190000.report.txt\n\nKaori, the eighth\n"));
+  EXPECT_THAT(report, ::testing::Not(HasSubstr("the seventh")));
+}
 
 TEST_F(SupportTest, SaysWhyTheLastStartsEndedAndWhatCrashedBeforeAllElse) {
   Put("os-release", "PRETTY_NAME=\"Kaori box\"\n");

@@ -3,8 +3,10 @@
 
 #include <fstream>
 
+#include "appliance/core/show/pack_keys.h"
 #include "appliance/programs/stage/chosen_show.h"
 #include "appliance/programs/stage/rehearsal.h"
+#include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 #include "tests/appliance/core/pack_fixture.h"
 
@@ -51,6 +53,27 @@ class ChosenShowTest : public tests::PackTest {
   Time now_ = Time{} + 1000s;
   bool another_ = false;
 };
+
+// A show that a stick brought has its own pictures for keys, and those of the show before go.
+TEST_F(ChosenShowTest, LaysOutThePicturesOfKeysThatItBrings) {
+  places_.key_files = folder_ / "keys";
+  const show::KeyPicture blank{72, 0, false, {1}}, lit{72, 0xABC, true, {2, 3}}, strange{50, 7, false, {4}},
+      bitmap{80, 0xABC, false, {5}};
+  show::Show show = tests::SmallShow();
+  show.name = "of the stick";
+  ASSERT_TRUE(show::SavePackWithKeys({show, {blank, lit, strange, bitmap}},
+                                     folder_ / "shows" / store::PackName(std::string(64, 'a')), &company_));
+  Choose(1, 'a', 'a');
+  EXPECT_EQ(Played(), "of the stick");
+  EXPECT_EQ(ReadFile(folder_ / "keys/72/blank.jpg").value(), "\x01");
+  EXPECT_EQ(ReadFile(folder_ / "keys/72/0000000000000abc-lit.jpg").value(), "\x02\x03");
+  EXPECT_EQ(ReadFile(folder_ / "keys/80/0000000000000abc.bmp").value(), "\x05");
+  EXPECT_FALSE(fs::exists(folder_ / "keys/50")) << "no deck has such keys";
+  PutShow('b', "without", &company_);
+  Choose(2, 'b', 'a');
+  EXPECT_EQ(Played(), "without");
+  EXPECT_TRUE(fs::is_empty(folder_ / "keys/72"));
+}
 
 TEST_F(ChosenShowTest, IsTheRootsWhereNoneWasChosen) {
   EXPECT_EQ(Played(), "of the root");

@@ -53,7 +53,8 @@ namespace {
 using kaori::Result;
 using Words = std::vector<std::string>;
 
-constexpr const char* kLine = "/dev/ttyS0";
+// Of ARM's machines and of PCs. A PC has none of the first name; where the first is there, the second one leads nowhere.
+constexpr std::array kLines{"/dev/ttyAMA0", "/dev/ttyS0"};
 constexpr kaori::Duration kLongestTool = std::chrono::seconds(120);
 
 Words Split(const std::string& text, char by) {
@@ -202,7 +203,7 @@ int main() {
     return 2;
   }
   const auto roots = kaori::agent::StartTheBox();
-  auto line = kaori::agent::SerialLine::Open(kLine);
+  auto line = kaori::agent::SerialLine::Open(::access(kLines[0], F_OK) == 0 ? kLines[0] : kLines[1]);
   if (!line) return 1;
   if (!roots) return line->Answer(0, tl::unexpected(roots.error())), 1;
   Agent agent(*roots);

@@ -249,6 +249,20 @@ test('a slider stays where it is put', async () => {
   await until('half way', () => harness.heard('stick-left')?.[3] === 0.5);
 });
 
+test('a button of a stick is down for as long as it is held', async () => {
+  const button = page.getByRole('button', {name: 'Head, button 3', exact: true});
+  const {x, y, width, height} = await button.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await until('button 3 down', async () => (await harness.state()).sticks[0].buttons === 1 << 2);
+  await until('a button that is seen to be down', async () => await button.getAttribute('aria-pressed') === 'true');
+  await page.mouse.up();
+  await until('button 3 up', async () => (await harness.state()).sticks[0].buttons === 0);
+  await page.getByRole('button', {name: 'Gaze and brows, button 12: Laugh'}).focus();
+  await page.keyboard.press('Enter');
+  await until('button 12 up again', async () => (await harness.state()).sticks[1].buttons === 0);
+});
+
 const needles = () => page.getByRole('button', {name: 'Needles', exact: true});
 
 async function openNeedles() {
@@ -355,6 +369,8 @@ test('the page fits a phone and a desk without a sideways scroll', async () => {
     await page.setViewportSize({width, height});
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= width, `${wide} px are needed at ${width}x${height}`);
+    const {width: pad} = await page.locator('#left .pad').boundingBox();
+    assert.ok(pad >= 80, `a stick's pad of ${pad} px is for no finger at ${width}x${height}`);
   }
   await page.setViewportSize({width: 1440, height: 900});
 });

@@ -1,4 +1,5 @@
 // Puts the page together, and shows the state of the connection.
+import {makeMachine} from './machine.js';
 import {makeMouth} from './mouth.js';
 import {askForCode, makePairing} from './pair.js';
 import {makePicture} from './picture.js';
@@ -55,6 +56,7 @@ makePicture();
 makeMouth();
 makeSteps();
 makeTuning();
+makeMachine();
 makeKeeping();
 onState((state) => {
   last = state;

@@ -77,6 +77,16 @@ const kTexts = {
     savedNow: 'The settings were saved.',
     reverted: 'The change was undone.',
     gone: 'The lip program does not answer.',
+    machine: 'The box',
+    machineGone: 'The program for shows does not answer.',
+    machineMore: 'and N more on the stick; take some off it to see them',
+    machineBackup: 'Make a backup',
+    machineFetch: 'Save NAME',
+    machineBring: 'Restore a backup …',
+    machineSettings: 'All settings (box.toml)',
+    machineText: 'What is written here takes the place of all settings. It is checked and compared first; nothing changes before you say yes above.',
+    machineCompare: 'Check and compare',
+    machineAgain: 'As they are on the box',
   },
   ja: {
     title: 'くちびる',
@@ -154,6 +164,16 @@ const kTexts = {
     savedNow: '保存しました',
     reverted: '戻しました',
     gone: 'くちびるのプログラムがありません',
+    machine: '箱',
+    machineGone: 'ショーのプログラムがありません',
+    machineMore: 'スティックにあと N 個あります。見るには何か消してください',
+    machineBackup: 'バックアップを作る',
+    machineFetch: 'NAME を保存',
+    machineBring: 'バックアップを復元…',
+    machineSettings: 'すべての設定 (box.toml)',
+    machineText: 'ここに書いたものが設定全体になります。まず調べて比べます。上で「はい」と答えるまで何も変わりません。',
+    machineCompare: '調べて比べる',
+    machineAgain: '箱の今の設定に戻す',
   },
 };
 
@@ -171,19 +191,54 @@ const kComplaints = {
   'mouth.shut is not below mouth.open': 'とじた口があけた口より大きくなっています',
 };
 
+// Lines of the box's list, as kaori-shows words them; names of files and of screens stay as they are.
+const kLines = {
+  'back to the show before': '前のショーに戻す',
+  'back to the box\'s own show': '箱のショーに戻す',
+  'back to what was here before the restore': '復元の前に戻す',
+  'back to the settings before the last change': '変更前の設定に戻す',
+  'backup of this box, onto the stick': 'この箱のバックアップをスティックに書く',
+  'support file for a technician, onto the stick': '技術者のためのサポートファイルをスティックに書く',
+  'settings of this box': 'この箱の設定',
+  'leave the settings as they are': '設定はそのままにする',
+  'leave the box as it is': '箱はそのままにする',
+  'yes, change them': 'はい、変更する',
+  'yes, restore this': 'はい、復元する',
+  'profile': '使い方 (profile)',
+  'screen that shows the status': '状態を表示する画面',
+  'operators\' monitor': '操作者のモニター',
+  'none': 'なし',
+  'as it is': '今の値',
+};
+const kKinds = {'key ': '鍵 ', 'update ': '更新 ', 'restore ': '復元 ', 'settings ': '設定 '};
+
 const kLanguageKey = 'kaori-desk-language';
 const listeners = [];
-let language = localStorage.getItem(kLanguageKey) ?? document.documentElement.lang;
-if (!(language in kTexts)) language = 'en';
+let chosen = localStorage.getItem(kLanguageKey) ?? document.documentElement.lang;
+if (!(chosen in kTexts)) chosen = 'en';
+
+// 'en' or 'ja'.
+export function language() {
+  return chosen;
+}
 
 export function text(key) {
-  return kTexts[language][key];
+  return kTexts[chosen][key];
 }
 
 export function complaint(message) {
-  if (language === 'ja' && message in kComplaints) return kComplaints[message];
+  if (chosen === 'ja' && message in kComplaints) return kComplaints[message];
   const short = message.replace('sample the paint: ', '');
   return `${short.charAt(0).toUpperCase()}${short.slice(1)}.`;
+}
+
+// A line of the list: what it is, and two spaces before what is said of it.
+export function listLine(label) {
+  if (chosen === 'en') return label;
+  const parts = label.split('  ').map((part) => kLines[part] ?? part);
+  const kind = Object.keys(kKinds).find((beginning) => parts[0].startsWith(beginning));
+  if (kind) parts[0] = kKinds[kind] + parts[0].slice(kind.length);
+  return parts.join('  ');
 }
 
 // Calls `listener` now, and whenever another language is chosen.
@@ -193,20 +248,20 @@ export function onLanguage(listener) {
 }
 
 function show() {
-  document.documentElement.lang = language;
+  document.documentElement.lang = chosen;
   for (const element of document.querySelectorAll('[data-text]')) element.textContent = text(element.dataset.text);
   for (const listener of listeners) listener();
 }
 
 export function makeLanguages(button) {
   button.addEventListener('click', () => {
-    language = language === 'en' ? 'ja' : 'en';
-    localStorage.setItem(kLanguageKey, language);
+    chosen = chosen === 'en' ? 'ja' : 'en';
+    localStorage.setItem(kLanguageKey, chosen);
     show();
   });
   onLanguage(() => {
     button.textContent = text('other');
-    button.lang = language === 'en' ? 'ja' : 'en';
+    button.lang = chosen === 'en' ? 'ja' : 'en';
     button.setAttribute('aria-label', text('otherLabel'));
   });
   show();

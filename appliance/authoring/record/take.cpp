@@ -1,4 +1,4 @@
-#include "appliance/authoring/report/take.h"
+#include "appliance/authoring/record/take.h"
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,7 @@ bool Has(std::uint32_t levels, Level level) {
 // Whether the motion has just begun in this state: -1 where it has not, else the seconds that it has played.
 float BegunSince(const performance::State& state, std::int32_t motion) {
   for (const performance::Playing& voice : state.voices)
-    if (voice.motion == motion && voice.gain >= 1) return voice.at_s;
+    if (voice.motion == motion && voice.ends == 0) return voice.at_s;
   return -1;
 }
 

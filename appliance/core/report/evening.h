@@ -12,7 +12,7 @@
 #include "appliance/core/showlog/log_file.h"
 #include "drivers/base/clock.h"
 
-namespace kaori::authoring {
+namespace kaori::report {
 
 // A cue that was played.
 struct PlayedCue {
@@ -51,12 +51,17 @@ struct Evening {
   std::vector<Incident> line_checks;  // Each with what came of it.
   std::vector<Incident> refused, incidents;
   Delays hand_to_scanout;
+  Delays lips_to_scanout;           // Of mouths that a camera saw well.
   std::vector<std::string> faults;  // Of the logs themselves.
 };
 
 // Plays the logs of one evening again, in their order, with the show that was played; takes some seconds for
 // an hour. Pure.
 Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::Show& show);
+
+// The same of each evening in a list of logs, the oldest first. A restart of the stage begins a new file; the box's own
+// start is what separates two evenings. `logs` has one at least.
+std::vector<Evening> ReadEvenings(std::span<const showlog::LogFile> logs, const show::Show& show);
 
 // When each cue is usually played, after the first cue of its act: the median over these evenings, of the
 // first time that it was played on each.
@@ -68,4 +73,4 @@ std::map<std::size_t, Duration> TimesInActs(const Evening& evening, const show::
 // The act of a cue: its own, or that of the cue before it which names one.
 const std::string& ActOf(const show::Show& show, std::size_t cue);
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

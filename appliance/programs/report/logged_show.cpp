@@ -1,41 +1,16 @@
-#include "appliance/programs/stage/logged_show.h"
-
-#include <cstdlib>
+#include "appliance/programs/report/logged_show.h"
 
 #include <fmt/format.h>
 
+#include "appliance/core/last_face/show_mark.h"
 #include "appliance/core/roles/roles_file.h"
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
-#include "appliance/programs/stage/last_face.h"
+#include "appliance/programs/report/own_copy.h"
 #include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
 
-namespace kaori::stage {
-namespace {
-
-// A folder of nobody else's, gone with the object. Empty where it could not be made.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::error_code none;
-    std::string name = (std::filesystem::temp_directory_path(none) / "kaori-log-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code none;
-    if (!path_.empty()) std::filesystem::remove_all(path_, none);
-  }
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-}  // namespace
+namespace kaori::report {
 
 // The log carries the roles of its evening; they are laid over the show by way of a file, as the box does it.
 // The editor is opened for the expressions that it appends to the show, on which the numbers of the log
@@ -44,7 +19,7 @@ Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlo
                                  const std::filesystem::path& own) {
   auto show = show::LoadPack(pack);
   if (!show) return tl::unexpected(show.error());
-  if (const auto mark = ShowMark(pack); mark && *mark != head.show)
+  if (const auto mark = last_face::ShowMark(pack); mark && *mark != head.show)
     return FailInput(
         fmt::format("{}: the show log is of another show, or of another version of this one", pack.string()));
   const TemporaryFolder temporary;
@@ -63,4 +38,4 @@ Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlo
   return show;
 }
 
-}  // namespace kaori::stage
+}  // namespace kaori::report

@@ -1,10 +1,10 @@
-#include "appliance/authoring/report/report.h"
+#include "appliance/core/report/report.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace kaori::authoring {
+namespace kaori::report {
 namespace {
 
 // Minutes and seconds: "12:07"; hours come before them where there are any.
@@ -88,6 +88,10 @@ Report ReportOf(const Evening& evening, std::span<const Evening> earlier, const 
           : fmt::format("Hand to scan-out: {:.1f} ms (median), {:.1f} ms (p99), over {} frames.",
                         evening.hand_to_scanout.median_ms, evening.hand_to_scanout.p99_ms,
                         evening.hand_to_scanout.frames));
+  if (const Delays& lips = evening.lips_to_scanout; lips.frames > 0)
+    report.lines.push_back(
+        fmt::format("Lips to scan-out: {:.1f} ms (median), {:.1f} ms (p99), over {} pictures.",
+                    lips.median_ms, lips.p99_ms, lips.frames));
   report.lines.push_back(
       evening.frames_that_differ == 0
           ? "The log plays again to the bit."
@@ -106,4 +110,4 @@ Report ReportOf(const Evening& evening, std::span<const Evening> earlier, const 
   return report;
 }
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

@@ -1,13 +1,14 @@
-#include "appliance/authoring/report/evening.h"
+#include "appliance/core/report/evening.h"
 
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
+#include "appliance/core/board/mouth.h"
 #include "appliance/core/showlog/replay.h"
 
-namespace kaori::authoring {
+namespace kaori::report {
 namespace {
 
 using std::chrono::milliseconds;
@@ -39,8 +40,8 @@ std::array<Source, 8> SourcesOf(const board::Snapshot& board) {
 class Watcher {
  public:
   Watcher(const showlog::LogFile& log, const show::Show& show, Evening& evening,
-          std::vector<double>& delays_ms)
-      : log_(log), show_(show), evening_(evening), delays_ms_(delays_ms) {}
+          std::vector<double>& delays_ms, std::vector<double>& lips_ms)
+      : log_(log), show_(show), evening_(evening), delays_ms_(delays_ms), lips_ms_(lips_ms) {}
 
   // Frames on both sides of a gap are not compared: what happened between them is not known. Nor is
   // the first frame of a log.
@@ -121,8 +122,7 @@ class Watcher {
   }
 
   // The youngest control that has moved since the frame before.
-  // Only what a hand moves is measured: stamps of lips and voice change all the time,
-  // whether anything moves or not.
+  // Of controls only what a hand moves is measured. A picture of the lips counts when it is seen for the first time.
   void MeasureDelay(const board::Snapshot& board, Time at) {
     const std::array stamps{board.surface.at, board.sticks[0].at, board.sticks[1].at, board.keys.at};
     Time youngest{};
@@ -130,6 +130,10 @@ class Watcher {
       if (stamps[i] != stamps_[i]) youngest = std::max(youngest, stamps[i]);
     if (youngest != Time{} && at >= youngest && at - youngest < kOldestMove)
       delays_ms_.push_back(Seconds(at - youngest) * 1e3);
+    const auto& lips = board.lips;
+    const bool seen = lips.source == board::SourceState::kLive && board::IsUsable(lips.value);
+    if (seen && lips.at != lips_at_ && at >= lips.at && at - lips.at < kOldestMove)
+      lips_ms_.push_back(Seconds(at - lips.at) * 1e3);
   }
 
   void Remember(const showlog::Replay& replay) {
@@ -143,6 +147,7 @@ class Watcher {
     locked_ = state.locked;
     check_phase_ = board.line_check.value.phase;
     if (check_phase_ != board::LineCheckPhase::kRunning) sources_ = SourcesOf(board);
+    lips_at_ = board.lips.at;
     stamps_ = {board.surface.at, board.sticks[0].at, board.sticks[1].at, board.keys.at};
     known_ = true;
   }
@@ -150,7 +155,7 @@ class Watcher {
   const showlog::LogFile& log_;
   const show::Show& show_;
   Evening& evening_;
-  std::vector<double>& delays_ms_;
+  std::vector<double>&delays_ms_, &lips_ms_;
   bool known_ = false;
   Time last_{};
   std::int32_t active_ = -1;
@@ -160,6 +165,7 @@ class Watcher {
   std::array<Time, 8> lost_at_{};
   board::LineCheckPhase check_phase_{};
   std::array<Time, 4> stamps_{};
+  Time lips_at_{};
 };
 
 // Sorts the list. Both figures are values that were measured, not mixed with their neighbours.
@@ -208,11 +214,11 @@ const std::string& ActOf(const show::Show& show, std::size_t cue) {
 // compared. Delays of all files are one list.
 Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::Show& show) {
   Evening evening;
-  std::vector<double> delays_ms;
+  std::vector<double> delays_ms, lips_ms;
   Time first{}, last{};
   for (const showlog::LogFile* log : logs) {
     showlog::Replay replay(*log, show);
-    Watcher watcher(*log, show, evening, delays_ms);
+    Watcher watcher(*log, show, evening, delays_ms, lips_ms);
     while (replay.Next()) {
       watcher.Look(replay);
       last = replay.presented_at();
@@ -230,7 +236,19 @@ Evening ReadEvening(std::span<const showlog::LogFile* const> logs, const show::S
   evening.length = last - first;
   evening.acts = ActsOf(evening, show, last);
   evening.hand_to_scanout = DelaysOf(delays_ms);
+  evening.lips_to_scanout = DelaysOf(lips_ms);
   return evening;
+}
+
+std::vector<Evening> ReadEvenings(std::span<const showlog::LogFile> logs, const show::Show& show) {
+  std::vector<Evening> evenings;
+  for (std::size_t i = 0; i < logs.size();) {
+    std::vector<const showlog::LogFile*> one;
+    const showlog::LogHead& first = logs[i].head();
+    for (; i < logs.size() && showlog::IsSameEvening(logs[i].head(), first); ++i) one.push_back(&logs[i]);
+    evenings.push_back(ReadEvening(one, show));
+  }
+  return evenings;
 }
 
 // Of a cue that was played twice the first time counts, and so does the first beginning of its act.
@@ -254,4 +272,4 @@ std::map<std::size_t, Duration> UsualTimes(std::span<const Evening> evenings, co
   return usual;
 }
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

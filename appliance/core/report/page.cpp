@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "appliance/authoring/report/report.h"
+#include "appliance/core/report/report.h"
 #include "drivers/base/markup.h"
 
-namespace kaori::authoring {
+namespace kaori::report {
 namespace {
 
 // For A4 and for a browser alike: no row is torn between pages, and no heading ends one. Fonts are
@@ -47,7 +47,7 @@ std::string Cells(const std::vector<std::string>& cells, std::string_view tag) {
 
 }  // namespace
 
-// For a terminal: each column as wide as its widest cell.
+// Each column is as wide as its widest cell.
 std::string TextOfReport(const Report& report) {
   std::string text = report.title + "\n\n";
   for (const std::string& line : report.lines) text += line + "\n";
@@ -90,4 +90,4 @@ std::string PageOfReport(const Report& report) {
   return page + "</body></html>\n";
 }
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "appliance/authoring/report/evening.h"
+#include "appliance/core/report/evening.h"
 
-namespace kaori::authoring {
+namespace kaori::report {
 
-// A table of the report: rows of as many texts as there are columns.
+// A table of the report, in the order in which it is read: rows of as many texts as there are columns.
 struct ReportTable {
   std::string title;
   std::vector<std::string> columns;
@@ -27,9 +27,10 @@ struct Report {
 // `earlier` are the evenings with which it is compared; none: there is nothing usual yet. Pure.
 Report ReportOf(const Evening& evening, std::span<const Evening> earlier, const show::Show& show);
 
-// In columns, for a terminal or a mail.
+// In columns, for a terminal or a mail: UTF-8, each line as long as its widest cells make it. Pure.
 std::string TextOfReport(const Report& report);
-// One HTML file that needs nothing beside it; texts are escaped.
+// One HTML file that needs nothing beside it, has no scripts and prints on A4; texts are escaped, since names come from a
+// show that anybody may have made. Pure.
 std::string PageOfReport(const Report& report);
 
-}  // namespace kaori::authoring
+}  // namespace kaori::report

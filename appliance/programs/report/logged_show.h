@@ -7,7 +7,7 @@
 #include "appliance/core/showlog/format.h"
 #include "drivers/base/result.h"
 
-namespace kaori::stage {
+namespace kaori::report {
 
 // The pack, with the box's roles, which the log holds, and with the expressions that were made on the box,
 // from their folder `own`; with an empty path as many that are empty, so that numbers mean the same. Passing
@@ -16,4 +16,4 @@ namespace kaori::stage {
 Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlog::LogHead& head,
                                  const std::filesystem::path& own);
 
-}  // namespace kaori::stage
+}  // namespace kaori::report
