@@ -65,9 +65,10 @@ LockOrder OuterLocksFirst(const face::Prop& hair, const std::vector<float>& numb
   const auto lock_of = [&](const face::Triangle& t) -> const Lock& { return locks[numbers[t[0]]]; };
   std::ranges::stable_sort(order.triangles, std::ranges::greater{},
                            [&](const face::Triangle& t) { return lock_of(t).reach; });
-  const auto behind = std::ranges::stable_partition(
-      order.triangles, [&](const face::Triangle& t) { return lock_of(t).forwards >= 0; });
-  order.behind_from = order.triangles.size() - behind.size();
+  const auto behind =
+      std::stable_partition(order.triangles.begin(), order.triangles.end(),
+                            [&](const face::Triangle& t) { return lock_of(t).forwards >= 0; });
+  order.behind_from = static_cast<std::size_t>(behind - order.triangles.begin());
   return order;
 }
 

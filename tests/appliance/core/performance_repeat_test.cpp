@@ -39,7 +39,7 @@ struct Repeat {
 Repeat ShortestRepeat(const std::vector<Pose>& poses) {
   const std::size_t window = std::size_t{kNoticed_s} * kLooks_hz;
   const std::size_t longest = poses.size() - window;
-  for (std::size_t lag = 2 * kLooks_hz; lag <= longest; ++lag) {
+  for (std::size_t lag = std::size_t{2} * kLooks_hz; lag <= longest; ++lag) {
     std::size_t alike = 0;
     for (std::size_t n = 0; n + lag < poses.size(); ++n) {
       alike = Alike(poses[n], poses[n + lag]) ? alike + 1 : 0;
