@@ -42,6 +42,7 @@ run_tests() {
   python3 -B tests/rules/report.py . $BUILD out/house.json
   python3 -B tests/system/company_report.py out
   python3 -B tests/appliance/show_report.py $BIN out/show.json || fail "out/show.json is not whole; see above"
+  python3 -B tests/look/look_report.py $BIN out/look.json || fail "out/look.json is not whole, or misses a bar; see above"
 }
 
 # What bash's `time` says of the named command, whose words go to the log: timed TIMEFORMAT LOG COMMAND...

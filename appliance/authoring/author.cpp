@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "appliance/authoring/appearance/dress.h"
+#include "appliance/authoring/mesh/sparse_triangles.h"
 #include "appliance/authoring/script/show_file.h"
 #include "appliance/authoring/sculpt/sculpt.h"
 #include "appliance/core/show/check.h"
@@ -29,6 +30,8 @@ Result<show::Show> AuthorShow(const std::filesystem::path& folder, const Progres
   progress("reading the script");
   if (const auto faults = ReadShowFile(folder / "show.toml", show); !faults.empty()) return FailAll(faults);
   if (const auto faults = show::CheckShow(show); !faults.empty()) return FailAll(faults);
+  progress("leaving out triangles where faces are flat");
+  mesh::LeaveOutFlat(show.cast);
   return show;
 }
 

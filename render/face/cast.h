@@ -107,6 +107,9 @@ struct Face {
   std::vector<glm::vec3> withdrawn;
   // What displacements are multiplied with on this face: a kettle has to try harder.
   float expression_gain = 1;
+  // Of the fine mesh: triangles that show this face alone as FineMesh::triangles do, with larger ones where it is
+  // flat in all that it does. Normals are those of FineMesh::triangles. Empty: there are no fewer.
+  std::vector<Triangle> sparse;
 };
 
 // A control point of expressions.

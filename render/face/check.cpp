@@ -82,6 +82,9 @@ void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
     faults.Size(item + ", withdrawn", face.withdrawn.size(), cast.topology.outgrowth.size());
   faults.Finite(item + ", withdrawn", face.withdrawn);
   if (!Is0To1(face.outgrowth_kind)) faults.Add(item + ": its kind of outgrowth is not within 0 to 1");
+  const std::span<const Index> corners(face.sparse.empty() ? nullptr : face.sparse.front().data(),
+                                       face.sparse.size() * 3);
+  faults.Indices(item + ", sparse triangles", corners, cast.topology.fine.from_cage.rows());
   CheckEyes(item, face, faults);
   CheckLook(item, face, faults);
   const auto within = [](int index, std::size_t count) {

@@ -111,6 +111,7 @@ bool Canvas::MakeLayer(bool reads_samples) {
 // Only the parts are cleared: what lies outside of them is never read.
 void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
   Aim(layer_frame_.id(), options_, whole);
+  on_picture_ = false;
   // glClear obeys the mask, which the last pass may have left off.
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 0);
@@ -124,10 +125,17 @@ void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
 
 void Canvas::BeginPicture() const {
   Aim(picture_.id(), options_, {});
+  on_picture_ = true;
 }
 
 void Canvas::Within(const Box& box) const {
   glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
+  if (on_picture_) damage_.Add(box);
+}
+
+// Within counts boxes, not pixels: what is drawn is all of a box, or near it.
+Damage Canvas::AcquireDamage() const {
+  return std::exchange(damage_, Damage(options_.width_px, options_.height_px));
 }
 
 // Where shaders read samples the layer is bound as it is, and nothing is copied.

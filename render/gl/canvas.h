@@ -5,6 +5,8 @@
 #include <span>
 
 #include "drivers/base/result.h"
+#include "render/gl/box.h"
+#include "render/gl/damage.h"
 #include "render/gl/handle.h"
 #include "render/gl/target.h"
 
@@ -14,16 +16,6 @@ namespace kaori::gl {
 struct CanvasOptions {
   int width_px = 0;
   int height_px = 0;
-};
-
-// Pixels from the left bottom corner.
-struct Box {
-  int left_px = 0;
-  int bottom_px = 0;
-  int width_px = 0;
-  int height_px = 0;
-  // Whether it holds no pixel.
-  bool empty() const { return width_px <= 0 || height_px <= 0; }
 };
 
 // The picture is sRGB-coded and is written with linear light: blending on it is right. A layer has four
@@ -43,8 +35,10 @@ class Canvas {
   // Drawing goes to the picture from here on, without depth: nowhere, until Within says where. What is
   // written is linear light, which the framebuffer codes (GL_FRAMEBUFFER_SRGB is always on in GLES).
   void BeginPicture() const;
-  // Limits drawing to `box` by the scissor test.
+  // Limits drawing to `box` by the scissor test. Of the picture, all of `box` counts as drawn on.
   void Within(const Box& box) const;
+  // What of the picture was drawn on since this was asked last, or since the canvas was made: then all of it.
+  Damage AcquireDamage() const;
   // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
   // Its depth is given up, so nothing more can be drawn on this layer. Leaves the layer's or the resolved
   // framebuffer bound, and without samples the scissor test off: BeginPicture comes next.
@@ -78,7 +72,10 @@ class Canvas {
   Box whole() const { return {0, 0, options_.width_px, options_.height_px}; }
 
  private:
-  explicit Canvas(const CanvasOptions& options) : options_(options) {}
+  explicit Canvas(const CanvasOptions& options)
+      : options_(options), damage_(options.width_px, options.height_px) {
+    damage_.AddAll();
+  }
   // Each makes one of the framebuffers; false where the driver cannot draw on it.
   bool MakePicture();
   bool MakeLayer(bool reads_samples);
@@ -92,8 +89,10 @@ class Canvas {
   Handle depth_;
   // With the samples and the depth.
   Handle layer_frame_;
-  // Belongs to the picture, which drawing changes as well.
+  // These belong to the picture, which drawing changes as well; the last says whether it is drawn on now.
   mutable Stamp stamp_;
+  mutable Damage damage_;
+  mutable bool on_picture_ = false;
 };
 
 }  // namespace kaori::gl

@@ -31,4 +31,9 @@ void Apply(const DrawState& state) {
   glPolygonOffset(1.5F, 4.0F);
 }
 
+void CutTo(const Box& box) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
+}
+
 }  // namespace kaori::gl

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "render/gl/box.h"
+
 namespace kaori::gl {
 
 // Triangles that are left out: none, or those that turn their back (clockwise as seen).
@@ -31,5 +33,8 @@ struct DrawState {
 // Sets all of it at once for what is drawn next, so that no pass depends on the one before it. On
 // the current context.
 void Apply(const DrawState& state);
+
+// Limits drawing on the framebuffer that is bound to `box`, by the scissor test, which it turns on.
+void CutTo(const Box& box);
 
 }  // namespace kaori::gl

@@ -1,8 +1,12 @@
 #include "render/gl/window.h"
 
 #include <EGL/egl.h>
+// After it.
+#include <EGL/eglext.h>
 #include <GLES3/gl3.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace kaori::gl {
@@ -17,6 +21,10 @@ Result<Window> Window::Make(const Context& context, void* native) {
                                                     reinterpret_cast<EGLNativeWindowType>(native), nullptr);
   if (surface == EGL_NO_SURFACE) return Fail(std::errc::protocol_error, "make a window of the screen");
   window.surface_ = surface;
+  // Names are separated by spaces, and none begins with this one.
+  const char* offered = eglQueryString(context.display(), EGL_EXTENSIONS);
+  window.tells_age_ =
+      offered != nullptr && std::string_view(offered).find("EGL_EXT_buffer_age") != std::string_view::npos;
   return window;
 }
 
@@ -38,6 +46,7 @@ Window& Window::operator=(Window&& other) noexcept {
   std::swap(context_, other.context_);
   std::swap(surface_, other.surface_);
   std::swap(native_, other.native_);
+  std::swap(tells_age_, other.tells_age_);
   return *this;
 }
 
@@ -50,6 +59,13 @@ Result<void> Window::Begin(int width_px, int height_px) const {
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, width_px, height_px);
   return {};
+}
+
+// EGL chooses the buffer now, if it has not done so yet.
+int Window::PicturesAgo() const {
+  EGLint age = 0;
+  if (!tells_age_ || !eglQuerySurface(display_, surface_, EGL_BUFFER_AGE_EXT, &age)) return 0;
+  return std::max(age, 0);
 }
 
 Result<void> Window::Show() const {

@@ -24,6 +24,10 @@ class Window {
   // Turns the scissor test off. Errors: protocol_error.
   Result<void> Begin(int width_px, int height_px) const;
 
+  // Which picture the window's buffer holds that is drawn on now: the one that was shown so many times ago, 1 the
+  // last one. 0: none that is known, or the driver does not say (EGL_EXT_buffer_age). Between Begin and Show.
+  int PicturesAgo() const;
+
   // Gives what was drawn to the screen (eglSwapBuffers; the caller then fetches the buffer from GBM). Waits
   // until the renderer has finished. Errors: protocol_error.
   Result<void> Show() const;
@@ -35,6 +39,8 @@ class Window {
   void* context_ = nullptr;
   void* surface_ = nullptr;
   void* native_ = nullptr;
+  // Whether the driver says how old buffers are.
+  bool tells_age_ = false;
 };
 
 }  // namespace kaori::gl

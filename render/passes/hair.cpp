@@ -149,31 +149,44 @@ Result<HairPass> HairPass::Open(Quality quality) {
   return pass;
 }
 
+// Fine hair reads the lamp's depths; its strands end in samples that are left out.
+HairPass::Way HairPass::Seen(const gl::DepthMap* depths, Locks locks) const {
+  if (depths == nullptr) return {basic_, gl::Blend::kReplace, locks};
+  depths->Bind(kHairDepthsUnit);
+  return {fine_, gl::Blend::kCoverage, locks};
+}
+
 void HairPass::Draw(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame,
                     const gl::DepthMap* depths) const {
-  if (depths == nullptr) return DrawBy(basic_, gl::Blend::kReplace, appearance, hairdo, frame);
-  depths->Bind(kHairDepthsUnit);
-  DrawBy(fine_, gl::Blend::kCoverage, appearance, hairdo, frame);
+  DrawBy(Seen(depths, Locks::kBefore), appearance, hairdo, frame);
+}
+
+// Hair that changes was drawn whole by Draw: its variant discards, so that it gains nothing by being hidden.
+void HairPass::DrawBehind(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame,
+                          const gl::DepthMap* depths) const {
+  DrawBy(Seen(depths, Locks::kBehind), appearance, hairdo, frame);
 }
 
 void HairPass::DrawDepth(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame) const {
-  DrawBy(basic_, gl::Blend::kReplace, appearance, hairdo, frame);
+  DrawBy({basic_, gl::Blend::kReplace, Locks::kAll}, appearance, hairdo, frame);
 }
 
-void HairPass::DrawBy(const Pair& pair, gl::Blend blend_of_whole, const Appearance& appearance,
-                      const Hairdo& hairdo, const FrameBlock& frame) const {
+void HairPass::DrawBy(const Way& way, const Appearance& appearance, const Hairdo& hairdo,
+                      const FrameBlock& frame) const {
   const float crown_px = HeightInPicture_px(frame, kCrown_m, Follows::kHead);
   const float tips_px = HeightInPicture_px(frame, kTips_m, Follows::kHead);
   const glm::vec2 span_px(crown_px, std::max(crown_px - tips_px, 1.0F));
   for (const WornHair& worn : hairdo.worn()) {
-    gl::Apply({.blend = worn.whole ? blend_of_whole : gl::Blend::kCoverage});
-    DrawWorn(worn.whole ? pair.whole : pair.growing, appearance, worn, span_px);
+    if (!worn.whole && way.locks == Locks::kBehind) continue;
+    gl::Apply({.blend = worn.whole ? way.blend_of_whole : gl::Blend::kCoverage});
+    DrawWorn(worn.whole ? way.pair.whole : way.pair.growing, worn.whole ? way.locks : Locks::kAll, appearance,
+             worn, span_px);
   }
 }
 
 // Hard things do not shorten: they thin out by their face's presence, and are drawn also where hair has gone.
-void HairPass::DrawWorn(const Variant& variant, const Appearance& appearance, const WornHair& worn,
-                        glm::vec2 span_px) const {
+void HairPass::DrawWorn(const Variant& variant, Locks locks, const Appearance& appearance,
+                        const WornHair& worn, glm::vec2 span_px) {
   variant.program.Use();
   gl::Program::Set(variant.span, span_px);
   gl::Program::Set(variant.motion, std::span<const glm::vec4>(worn.motion));
@@ -187,7 +200,8 @@ void HairPass::DrawWorn(const Variant& variant, const Appearance& appearance, co
                                               prop.hard ? 1 - worn.present : 0.0F));
     gl::Program::Set(variant.part,
                      prop.hard ? glm::vec3(0, worn.present, 1) : glm::vec3(worn.from, worn.to, 0));
-    prop.mesh.Draw();
+    if (locks != Locks::kBehind) prop.mesh.Draw();
+    if (locks != Locks::kBefore) prop.behind.Draw();
   }
 }
 

@@ -55,8 +55,12 @@ class HairPass {
   // Samples of pixels are left out (alpha to coverage) instead of blended, so that nothing
   // needs sorting; it therefore needs a layer with samples. `depths` are the key lamp's in this frame; null
   // where the quality is basic.
+  // Of hair as it was cut, the locks behind wait for DrawBehind.
   void Draw(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame,
             const gl::DepthMap* depths) const;
+  // The rest of it: after the face, which hides the inside of most.
+  void DrawBehind(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame,
+                  const gl::DepthMap* depths) const;
   // The same into depth alone; its colours are lost.
   void DrawDepth(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame) const;
 
@@ -79,13 +83,23 @@ class HairPass {
   // `defines`: nothing, GROWTH, BY_PIXEL or both.
   static Result<Variant> MakeVariant(std::string defines);
   static Result<Pair> MakePair(const std::string& defines);
-  // All that is worn, by this pair.
-  void DrawBy(const Pair& pair, gl::Blend blend_of_whole, const Appearance& appearance, const Hairdo& hairdo,
+  // Of hair as it was cut. Hair that grows or gives way is drawn whole, with those before.
+  enum class Locks : std::uint8_t { kAll, kBefore, kBehind };
+  // Which variants, how whole hair meets what is there, and what of it.
+  struct Way {
+    const Pair& pair;
+    gl::Blend blend_of_whole = gl::Blend::kReplace;
+    Locks locks = Locks::kAll;
+  };
+  // As a picture wants it: in the quality that these depths ask for.
+  Way Seen(const gl::DepthMap* depths, Locks locks) const;
+  // All that is worn.
+  void DrawBy(const Way& way, const Appearance& appearance, const Hairdo& hairdo,
               const FrameBlock& frame) const;
   // One face's hair, and the hard things that are worn with it. `span_px`: where the order of hair begins,
   // and its length.
-  void DrawWorn(const Variant& variant, const Appearance& appearance, const WornHair& worn,
-                glm::vec2 span_px) const;
+  static void DrawWorn(const Variant& variant, Locks locks, const Appearance& appearance,
+                       const WornHair& worn, glm::vec2 span_px);
 
   Pair basic_;
   // Of fine quality.

@@ -46,19 +46,30 @@ std::vector<float> LockNumbers(const face::Prop& hair) {
 }
 
 // A stable sort by the lock's reach keeps each lock's triangles in their order.
-std::vector<face::Triangle> OuterLocksFirst(const face::Prop& hair, const std::vector<float>& numbers) {
+LockOrder OuterLocksFirst(const face::Prop& hair, const std::vector<float>& numbers) {
   glm::vec3 middle{};
   for (const face::PropVertex& v : hair.vertices)
     middle += v.position / static_cast<float>(hair.vertices.size());
-  std::map<float, float> reach;  // Of each lock: its farthest point from the middle, square metres.
+  struct Lock {
+    float reach = 0;     // Its farthest point from the middle, square metres.
+    float forwards = 0;  // The sum of how far its points lie before the middle, metres.
+  };
+  std::map<float, Lock> locks;
   for (std::size_t v = 0; v < numbers.size(); ++v) {
     const glm::vec3 away = hair.vertices[v].position - middle;
-    reach[numbers[v]] = std::max(reach[numbers[v]], away.x * away.x + away.z * away.z);
+    Lock& lock = locks[numbers[v]];
+    lock.reach = std::max(lock.reach, away.x * away.x + away.z * away.z);
+    lock.forwards += away.z;
   }
-  std::vector<face::Triangle> sorted = hair.triangles;
-  std::ranges::stable_sort(sorted, std::ranges::greater{},
-                           [&](const face::Triangle& t) { return reach[numbers[t[0]]]; });
-  return sorted;
+  LockOrder order{hair.triangles, 0};
+  const auto lock_of = [&](const face::Triangle& t) -> const Lock& { return locks[numbers[t[0]]]; };
+  std::ranges::stable_sort(order.triangles, std::ranges::greater{},
+                           [&](const face::Triangle& t) { return lock_of(t).reach; });
+  const auto behind =
+      std::stable_partition(order.triangles.begin(), order.triangles.end(),
+                            [&](const face::Triangle& t) { return lock_of(t).forwards >= 0; });
+  order.behind_from = static_cast<std::size_t>(behind - order.triangles.begin());
+  return order;
 }
 
 }  // namespace kaori::passes

@@ -159,6 +159,7 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
   lashes->Draw(shape);
   clothes->Draw(appearance, dressing, block);
   body->Draw(surface, shape, HairShare(scene) > kPainterWhole, LampDepths());
+  hair->DrawBehind(appearance, hairdo, block, LampDepths());
   eyes->Draw(shape, scene.gaze, scene.pupil);
   mouth->Draw(appearance, shape);
 }

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 
 #include "render/passes/lock_order.h"
 
@@ -107,12 +108,22 @@ std::array<Slice, kPropSlices> SlicesOf(const face::Prop& prop) {
   return slices;
 }
 
+// Glasses and pins are hair by their part, and say by their first vertex that they are not.
+bool IsHard(const face::Prop& prop) {
+  return prop.part == face::Part::kHair && !prop.vertices.empty() && prop.vertices[0].across < kHardAcross;
+}
+
 // Hair is sorted, all else is drawn in the order of its file.
 PropForm FormOf(const face::Prop& prop) {
-  PropForm form{.slices = SlicesOf(prop), .numbers = {}, .triangles = prop.triangles};
+  PropForm form{.slices = SlicesOf(prop),
+                .numbers = {},
+                .triangles = prop.triangles,
+                .behind_from = prop.triangles.size()};
   if (prop.part != face::Part::kHair) return form;
   form.numbers = LockNumbers(prop);
-  form.triangles = OuterLocksFirst(prop, form.numbers);
+  LockOrder order = OuterLocksFirst(prop, form.numbers);
+  form.triangles = std::move(order.triangles);
+  if (!IsHard(prop)) form.behind_from = order.behind_from;
   return form;
 }
 
@@ -126,12 +137,13 @@ std::vector<PropForm> FormsOf(std::span<const face::Prop> props) {
 
 PropMesh::PropMesh(const face::Prop& prop, const PropForm& form)
     : part(prop.part),
-      hard(prop.part == face::Part::kHair && !prop.vertices.empty() && prop.vertices[0].across < kHardAcross),
+      hard(IsHard(prop)),
       paint(prop.colour),
       slices(form.slices),
       vertices(gl::Buffer::Of(std::span<const face::PropVertex>(prop.vertices))),
       numbers(gl::Buffer::Of(std::span<const float>(form.numbers))),
-      mesh(MeshOf(prop, vertices, numbers, form.triangles)) {}
+      mesh(MeshOf(prop, vertices, numbers, std::span(form.triangles).first(form.behind_from))),
+      behind(MeshOf(prop, vertices, numbers, std::span(form.triangles).subspan(form.behind_from))) {}
 
 Appearance::Appearance(const face::Cast& cast, std::span<const PropForm> forms)
     : presence_(cast.props.size()) {

@@ -32,8 +32,9 @@ struct PropForm {
   std::array<Slice, kPropSlices> slices;
   // Hair: for each vertex a number 0..1 that a lock's vertices share; else none.
   std::vector<float> numbers;
-  // In the order in which they are drawn.
+  // In the order in which they are drawn; of hair, those from `behind_from` on lie behind, of all else none do.
   std::vector<face::Triangle> triangles;
+  std::size_t behind_from = 0;
 };
 
 // One for each prop. Pure; takes milliseconds, on any thread.
@@ -56,6 +57,8 @@ struct PropMesh {
   // Of locks, one for each vertex; empty where it is no hair.
   gl::Buffer numbers;
   gl::Mesh mesh;
+  // Locks behind the middle of the hair, which the other one lacks.
+  gl::Mesh behind;
 };
 
 // The props of a cast, and after Weigh how much of each is there, 0..1: the weights of the faces that wear

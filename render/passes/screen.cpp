@@ -1,5 +1,8 @@
 #include "render/passes/screen.h"
 
+#include <algorithm>
+#include <string>
+
 #include "render/gl/context.h"
 #include "render/gl/draw_state.h"
 #include "render/passes/shader_library.h"
@@ -20,11 +23,22 @@ Result<ScreenPass> ScreenPass::Open() {
   return pass;
 }
 
-void ScreenPass::Draw(const gl::Canvas& canvas) const {
+// A buffer that is n pictures old lacks what the last n pictures changed.
+void ScreenPass::Draw(const gl::Canvas& canvas, int pictures_ago) {
+  std::shift_right(changes_.begin(), changes_.end(), 1);
+  changes_.front() = canvas.AcquireDamage();
+  known_ = std::min(known_ + 1, kMostKnown);
+  gl::Damage lacks(canvas.width_px(), canvas.height_px());
+  if (pictures_ago < 1 || pictures_ago > known_) lacks.AddAll();
+  for (int n = 0; n < std::min(pictures_ago, known_); ++n) lacks.Add(changes_[static_cast<std::size_t>(n)]);
   gl::Apply({.depth = gl::Depth::kOff});
   program_.Use();
   canvas.BindPictureCodes(0);
-  everywhere_.Draw();
+  for (const gl::Box& box : lacks.boxes()) {
+    if (box.empty()) continue;
+    gl::CutTo(box);
+    everywhere_.Draw();
+  }
 }
 
 }  // namespace kaori::passes

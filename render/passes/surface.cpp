@@ -45,7 +45,7 @@ std::vector<float> FineOcclusion(const face::Topology& topology, const face::Fac
 Triangles SeenOn(const face::Topology& topology, const face::Face& face, const std::vector<bool>& rigid) {
   const std::vector<float> open = FineOcclusion(topology, face);
   const auto hidden = [&](face::Index v) { return rigid[v] && open[v] < kHidden; };
-  Triangles seen = topology.fine.triangles;
+  Triangles seen = face.sparse.empty() ? topology.fine.triangles : face.sparse;
   std::erase_if(seen, [&](const face::Triangle& t) { return std::ranges::all_of(t, hidden); });
   return seen;
 }

@@ -47,6 +47,7 @@ void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
   hair_.Draw(appearance_, hairdo_, block_, nullptr);
   clothes_.Draw(appearance_, dressing_, block_);
   body_.Draw(surface_, shape_, true, nullptr);
+  hair_.DrawBehind(appearance_, hairdo_, block_, nullptr);
   eyes_.Draw(shape_, scene_.gaze, scene_.pupil);
   layer_.Lay(canvas, figure_, behind, {});
   canvas.ReadPixels(bytes);

@@ -1,5 +1,6 @@
 #include "tests/benchmark/frame_benchmark.h"
 
+#include <GLES3/gl3.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -12,8 +13,11 @@
 #include "appliance/core/show/pack.h"
 #include "drivers/base/log.h"
 #include "render/passes/painter.h"
+#include "render/passes/quality.h"
+#include "render/passes/screen.h"
 #include "tests/benchmark/bare_draw.h"
 #include "tests/benchmark/figures.h"
+#include "tests/benchmark/lit_triangles.h"
 #include "tests/render/synthetic_cast.h"
 
 namespace kaori::benchmark {
@@ -38,6 +42,13 @@ double CpuMs() {
 double WallMs() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double, std::milli>(now).count();
+}
+
+// Logs why not.
+template <class T>
+bool Opened(const Result<T>& result) {
+  if (!result) Log("no frames are measured: {}", result.error().message());
+  return result.has_value();
 }
 
 using DrawOne = std::function<void(int frame)>;
@@ -104,16 +115,48 @@ void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<
   }
 }
 
-// CPU time of `ours` over `theirs`, in turns, so that a busy neighbour hurts both.
-Metric Ratio(const char* name, const DrawOne& ours, const DrawOne& theirs, int rounds) {
+// The default look as a graphics card draws it; nothing where a processor draws.
+void MeasureFine(const gl::Context& context, passes::Painter& painter, int frames,
+                 std::vector<Metric>& metrics) {
+  if (passes::QualityFor(context.renderer()) != passes::Quality::kFine) return;
+  if (!Opened(painter.SetQuality(passes::Quality::kFine))) return;
+  for (const Size size : kSizes) {
+    Screen screen(size);
+    const auto draw = [&](int frame) {
+      painter.Draw(SceneAt(frame, scene::Style::kSoft), screen.canvas);
+      screen.canvas.ReadPixels(screen.bytes);
+    };
+    Append(NameOf("fine", size), Measure(draw, frames), metrics);
+  }
+}
+
+// Of the medians: one frame that a neighbour held up does not count.
+double Over(const std::vector<double>& a_ms, const std::vector<double>& b_ms) {
+  return Quantile(a_ms, 0.5) / std::max(Quantile(b_ms, 0.5), 1e-3);
+}
+
+// `ours` over `theirs`, round by round.
+struct Ratios {
+  std::vector<double> cpu;
+  std::vector<double> wall;
+};
+
+// In turns, so that a busy neighbour hurts both.
+Ratios InTurns(const DrawOne& ours, const DrawOne& theirs, int rounds) {
   constexpr int kFrames = 6;
-  std::vector<double> ratios;
+  Ratios ratios;
   for (int round = -1; round < rounds; ++round) {
     const Costs a = Measure(ours, kFrames);
     const Costs b = Measure(theirs, kFrames);
-    if (round >= 0) ratios.push_back(Quantile(a.cpu_ms, 0.5) / std::max(Quantile(b.cpu_ms, 0.5), 1e-3));
+    if (round < 0) continue;
+    ratios.cpu.push_back(Over(a.cpu_ms, b.cpu_ms));
+    ratios.wall.push_back(Over(a.wall_ms, b.wall_ms));
   }
-  return Figure(name, "ratio", ratios);
+  return ratios;
+}
+
+Metric Ratio(const char* name, const DrawOne& ours, const DrawOne& theirs, int rounds) {
+  return Figure(name, "ratio", InTurns(ours, theirs, rounds).cpu);
 }
 
 Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds) {
@@ -126,6 +169,46 @@ Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds
   };
   const DrawOne theirs = [&](int) { bare.Draw(screen.canvas, screen.bytes); };
   return Ratio("frame.default.over_bare_draw", ours, theirs, rounds);
+}
+
+// F2b: beside the least that draws as many triangles.
+void MeasureOverLitTriangles(passes::Painter& painter, Size size, int rounds, std::vector<Metric>& metrics) {
+  Screen screen(size);
+  LitTriangles lit(size.width_px, size.height_px);
+  const DrawOne ours = [&](int frame) {
+    painter.Draw(SceneAt(20 + (frame & 1), scene::Style::kSoft), screen.canvas);
+    screen.canvas.ReadPixels(screen.bytes);
+  };
+  const DrawOne theirs = [&](int) { lit.Draw(screen.bytes); };
+  Append(NameOf("lit_triangles", size), Measure(theirs, 6 * rounds), metrics);
+  const Ratios ratios = InTurns(ours, theirs, rounds);
+  metrics.push_back(Figure(NameOf("default_over_lit_triangles", size) + ".cpu", "ratio", ratios.cpu));
+  metrics.push_back(Figure(NameOf("default_over_lit_triangles", size) + ".wall", "ratio", ratios.wall));
+}
+
+// The copy of a finished picture to a screen's window: all of it, and what of it has changed while the backdrop is
+// at rest. What stands for the window is a target, as a software renderer has them both in memory.
+void MeasureCopy(passes::Painter& painter, Size size, int frames, std::vector<Metric>& metrics) {
+  auto pass = passes::ScreenPass::Open();
+  auto window = gl::Target::Make({.width_px = size.width_px, .height_px = size.height_px});
+  if (!Opened(pass) || !Opened(window)) return;
+  Screen screen(size);
+  for (const bool whole : {true, false}) {
+    Costs costs;
+    for (int frame = -3; frame < frames; ++frame) {
+      painter.Draw(SceneAt(frame + 3, scene::Style::kSoft), screen.canvas);
+      screen.canvas.ReadPixels(screen.bytes);  // So that only the copy is counted.
+      const double cpu = CpuMs();
+      const double wall = WallMs();
+      window->Begin();
+      pass->Draw(screen.canvas, whole ? 0 : 1);
+      glFinish();
+      if (frame < 0) continue;
+      costs.cpu_ms.push_back(CpuMs() - cpu);
+      costs.wall_ms.push_back(WallMs() - wall);
+    }
+    Append(NameOf(whole ? "copy_whole" : "copy_changed", size), costs, metrics);
+  }
 }
 
 struct SyntheticStage {
@@ -151,13 +234,6 @@ Metric Growth(const gl::Context& context, int rounds) {
   return Ratio("frame.growth_100x100_over_10x20", with(large), with(small), rounds);
 }
 
-// Logs why not.
-template <class T>
-bool Opened(const Result<T>& result) {
-  if (!result) Log("no frames are measured: {}", result.error().message());
-  return result.has_value();
-}
-
 }  // namespace
 
 std::vector<Metric> MeasureFrames(const std::string& pack, bool quick) {
@@ -171,8 +247,11 @@ std::vector<Metric> MeasureFrames(const std::string& pack, bool quick) {
   const int rounds = quick ? 3 : 15;
   std::vector<Metric> metrics;
   for (const Size size : kSizes) MeasureStyles(**painter, size, frames, metrics);
+  for (const Size size : kSizes) MeasureOverLitTriangles(**painter, size, rounds, metrics);
+  for (const Size size : kSizes) MeasureCopy(**painter, size, frames, metrics);
   metrics.push_back(OverBareDraw(show->cast, **painter, rounds));
   metrics.push_back(Growth(**context, rounds));
+  MeasureFine(**context, **painter, frames, metrics);
   return metrics;
 }
 

@@ -137,7 +137,7 @@ TEST_F(Gl, MakesEachSmallerPictureOfFourTexelsMeans) {
 }
 
 TEST_F(Gl, ShowsThePictureOnAScreenBitByBit) {
-  const auto screen = passes::ScreenPass::Open();
+  auto screen = passes::ScreenPass::Open();
   ASSERT_TRUE(screen) << screen.error().message();
   const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2});
   ASSERT_TRUE(canvas) << canvas.error().message();
@@ -145,7 +145,7 @@ TEST_F(Gl, ShowsThePictureOnAScreenBitByBit) {
     Fill(*canvas, {light, light / 2, light / 8});
     std::vector<std::uint8_t> bytes(16);
     canvas->ReadPixels(bytes);
-    const auto shown = Codes(2, 2, [&] { screen->Draw(*canvas); });
+    const auto shown = Codes(2, 2, [&] { screen->Draw(*canvas, 0); });
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(shown[i], bytes[i]) << light;
   }
 }

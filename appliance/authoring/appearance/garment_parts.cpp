@@ -41,7 +41,7 @@ glm::vec3 StandPoint(const Neck& neck, float around_deg, float y_cm, int row) {
 }
 
 // Rows 0 to 3 stand, the others fall: from the fold the collar hangs free at first and then settles
-// on the cloth.
+// on the cloth, through which it does not hang where a neck is wide.
 glm::vec3 CollarPoint(const Torso& torso, const Collar& collar, float share, int row) {
   const float fallen = row < kStandRows ? 0 : StepShare(row - kStandRows + 1, kFallRows + 1);
   const float gap = collar.gap_deg + collar.spread_deg * fallen;
@@ -54,7 +54,9 @@ glm::vec3 CollarPoint(const Torso& torso, const Collar& collar, float share, int
   const glm::vec3 lying = torso.At(around, Torso::ElevationOf(fold) - turn_deg, collar.off_cm);
   const float settled = SmoothStep(0, 0.6F, fallen);
   const glm::vec3 hanging = fold + (lying - fold) * glm::vec3(1, 0.7F, 1);
-  return hanging + (lying - hanging) * settled;
+  // Between its rows and columns the collar is straight where the cloth is round.
+  constexpr float kRound_cm = 0.2F;
+  return torso.Above(hanging + (lying - hanging) * settled, collar.off_cm + kRound_cm * (1 - settled));
 }
 
 }  // namespace

@@ -132,6 +132,12 @@ glm::vec3 Torso::At(float around_deg, float elevation_deg, float off_cm) const {
   return skin + direction * (off_cm + wrinkles_cm * calm * Wrinkle(skin));
 }
 
+glm::vec3 Torso::Above(glm::vec3 point_cm, float off_cm) const {
+  const glm::vec3 d = point_cm - kMiddle_cm;
+  const glm::vec3 surface = At(std::atan2(d.x, d.z) / kRadPerDeg, ElevationOf(point_cm), off_cm);
+  return glm::length(surface - kMiddle_cm) > glm::length(d) ? surface : point_cm;
+}
+
 // Along one direction from the middle of the chest; a height that lies outside of 10 to 85 degrees gives the
 // nearer end.
 float Torso::ElevationAt(float around_deg, float y_cm) const {

@@ -35,6 +35,9 @@ struct Torso {
   // above it. Folds of cloth are added below the collar. Traced along a ray: some 60 evaluations.
   glm::vec3 At(float around_deg, float elevation_deg, float off_cm) const;
 
+  // The point; where it lies less than `off_cm` above the surface, seen from there, the place so far above it.
+  glm::vec3 Above(glm::vec3 point_cm, float off_cm) const;
+
   // The elevation at which the surface, going up, reaches the height; between 10 and 85 degrees.
   float ElevationAt(float around_deg, float y_cm) const;
 

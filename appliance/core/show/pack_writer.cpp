@@ -91,6 +91,7 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   const auto eyes = to.CreateVectorOfStructs(reinterpret_cast<const pack::EyeBall*>(face.eyes.data()), 2);
   const auto props = to.CreateVector(face.props);
   const auto withdrawn = Structs<pack::Vec3>(to, face.withdrawn);
+  const auto sparse = Structs<pack::Triangle>(to, face.sparse);
   const pack::EyeLook eye_look(Vec(face.eye_look.iris), face.eye_look.iris_radius_m,
                                face.eye_look.lash_length_m, face.eye_look.lash_wing_m);
   const face::EyeSurface& ball = face.eye_surface;
@@ -101,7 +102,7 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   const pack::Vec3 flat = Vec(face.surface.flat);
   return pack::CreateFace(to, name, positions, occlusion, eyes, &eye_look, &mouth, face.surface.softness,
                           face.surface.metal, face.surface.texture, &flat, props, face.expression_gain,
-                          face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn);
+                          face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn, sparse);
 }
 
 Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& expression) {

@@ -76,8 +76,10 @@ Result<void> Studio::ShowIn(void* window) {
     screen_pass_.emplace(std::move(*pass));
   }
   if (auto begun = window_.Begin(canvas_.width_px(), canvas_.height_px()); !begun) return begun;
-  screen_pass_->Draw(canvas_);
-  return window_.Show();
+  screen_pass_->Draw(canvas_, window_.PicturesAgo());
+  auto shown = window_.Show();
+  if (!shown) screen_pass_->Forget();
+  return shown;
 }
 
 // Scaled on the graphics card, so that few bytes are read back; the height follows the canvas's proportions.
