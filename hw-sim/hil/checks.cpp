@@ -95,7 +95,8 @@ std::vector<Check> AllChecks() {
         SpeedChecks(),    GadgetChecks(),     DialLineChecks(), LoopChecks(),          DamagedDiskChecks(),
         SamplingChecks(), DisplayChecks(),    OutputChecks(),   LastFaceChecks(),      RecoveryChecks(),
         PowerChecks(),    StickChecks(),      BackupChecks(),   DeskChecks(),          DataChecks(),
-        DiskChecks(),     SecureBootChecks(), StartChecks(),    UpdateChecks(),        MediumChecks()})
+        DiskChecks(),     SecureBootChecks(), StartChecks(),    UpdateChecks(),        PowerCycleChecks(),
+        MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -17,7 +17,9 @@ namespace {
 constexpr int kUsbPorts = 8;
 // Debian's package ovmf.
 constexpr const char* kFirmware = "/usr/share/ovmf/OVMF.fd";
-// The same with Secure Boot, whose variables only it can write, in system management mode.
+// The same in two parts, with a flash chip for what it keeps.
+constexpr const char* kKeepingFirmware = "/usr/share/OVMF/OVMF_CODE_4M.fd";
+// With Secure Boot, whose variables only it can write, in system management mode.
 constexpr const char* kSecureFirmware = "/usr/share/OVMF/OVMF_CODE_4M.secboot.fd";
 
 // The value of the last word "name=value"; empty where there is none.
@@ -51,11 +53,19 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
   if (setup.graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
 }
 
+// A file as QEMU opens it for a drive: with a log each write goes there too, once it is done.
+std::string LoggedFile(const std::string& file, const std::string& log) {
+  if (log.empty()) return fmt::format("format=raw,file={}", file);
+  return fmt::format("driver=blklogwrites,file.driver=file,file.filename={},log.driver=file,log.filename={}",
+                     file, log);
+}
+
 // "disk" is the drive's name, whatever it is attached to.
 void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::string>& command) {
   // "snapshot=on" writes to a temporary file: the image stays as it ships, whatever the guest does.
-  Add(command, {"-drive", fmt::format("file={},if=none,id=disk,format=raw,{}", disk,
-                                      setup.keeps_disk ? "cache=writethrough" : "snapshot=on")});
+  const char* written = setup.keeps_disk ? "cache=writethrough" : "snapshot=on";
+  Add(command, {"-drive", fmt::format("if=none,id=disk,{},{}", LoggedFile(disk, setup.write_log),
+                                      setup.write_log.empty() ? written : "cache=writeback")});
   if (setup.disk_bus == DiskBus::kSata) return Add(command, {"-device", "ide-hd,drive=disk"});
   if (setup.disk_bus == DiskBus::kNvme) return Add(command, {"-device", "nvme,drive=disk,serial=1"});
   // A controller of its own, so that the rig's has its ports for itself.
@@ -80,19 +90,21 @@ void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<s
                 std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
 }
 
-// Two flash chips: the firmware, and what it keeps. Waking up from S3 is a way past it, which is shut.
-void AddSecureFirmware(const Setup& setup, std::vector<std::string>& command) {
-  Add(command,
-      {"-global", "driver=cfi.pflash01,property=secure,value=on", "-global", "ICH9-LPC.disable_s3=1"});
-  Add(command, {"-drive", fmt::format("if=pflash,unit=0,format=raw,readonly=on,file={}", kSecureFirmware)});
-  Add(command, {"-drive", "if=pflash,unit=1,format=raw,file=" + setup.variables});
+// Two flash chips: the firmware, and what it keeps. With Secure Boot waking up from S3 is a way past it, which is shut.
+void AddKeepingFirmware(const Setup& setup, std::vector<std::string>& command) {
+  if (setup.secure_boot)
+    Add(command,
+        {"-global", "driver=cfi.pflash01,property=secure,value=on", "-global", "ICH9-LPC.disable_s3=1"});
+  Add(command, {"-drive", fmt::format("if=pflash,unit=0,format=raw,readonly=on,file={}",
+                                      setup.secure_boot ? kSecureFirmware : kKeepingFirmware)});
+  Add(command, {"-drive", "if=pflash,unit=1," + LoggedFile(setup.variables, setup.variables_log)});
 }
 
 // With firmware the machine starts from its disk, as a real one; else QEMU loads the kernel, which is
 // quicker.
 void AddKernel(const QemuOptions& options, const Setup& setup, const std::string& command_line,
                std::vector<std::string>& command) {
-  if (!setup.variables.empty()) return AddSecureFirmware(setup, command);
+  if (!setup.variables.empty()) return AddKeepingFirmware(setup, command);
   if (setup.firmware) return Add(command, {"-bios", kFirmware});
   Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : ImageOf(options, setup) + "/bzImage"});
   if (!setup.initramfs.empty()) Add(command, {"-initrd", setup.initramfs});
@@ -205,7 +217,7 @@ std::string BenchCommandLine(const std::string& of_the_image, const std::string&
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk) {
   // q35 is a PC with PCI Express and ICH9; the name shows in its threads.
-  std::vector<std::string> command{"qemu-system-x86_64", "-M", setup.variables.empty() ? "q35" : "q35,smm=on",
+  std::vector<std::string> command{"qemu-system-x86_64", "-M", setup.secure_boot ? "q35,smm=on" : "q35",
                                    "-name", "box,debug-threads=on"};
   Add(command, {"-no-reboot", "-vga", "none", "-net", "none"});
   AddProcessors(options, setup, command);
