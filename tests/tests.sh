@@ -13,6 +13,11 @@ run_tests() {
     test_on_the_bench "$@"
     return
   fi
+  if [ "${1:-}" = --release ]; then
+    [ $# -eq 1 ] || fail "test --release takes nothing else; see ./box help"
+    test_on_the_bench --release
+    return
+  fi
   if [ "${1:-}" = --arm64 ]; then
     [ $# -eq 1 ] || fail "test --arm64 takes nothing else; see ./box help"
     test_arm64

@@ -53,6 +53,8 @@ struct Scene {
   int replugs = 20;
   // Of the scenario, from its beginning; 0: all.
   int scenes = 0;
+  // How many times as much is tried of what a check tries again and again; 1 or more.
+  int effort = 1;
   // Seeded from the command line, so that a run can be repeated.
   std::mt19937& chance;
   // The scenario that is played.
@@ -156,6 +158,8 @@ std::vector<Check> AloneChecks();
 std::vector<Check> SecureBootChecks();
 // An update by stick, in a PC with UEFI.
 std::vector<Check> UpdateChecks();
+// The power goes at any moment, in a PC with UEFI.
+std::vector<Check> PowerCycleChecks();
 // The box on a USB stick and on an SD card, as its only disk.
 std::vector<Check> MediumChecks();
 // A changed root is refused, and UEFI starts the disk.

@@ -24,6 +24,7 @@ class CheckRunner {
     // As Scene has them.
     int replugs = 20;
     int scenes = 0;
+    int effort = 1;
     // Of Scene::chance.
     std::mt19937::result_type seed = 1;
     // Each check that has passed is followed by its negative control: a check

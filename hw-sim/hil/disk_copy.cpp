@@ -20,7 +20,7 @@ constexpr const char* kLastSettings = "/settings/box.last-good.toml";
 
 // UEFI 2.10, table 5.5: the head of a GPT, and table 5.6: an entry.
 constexpr std::size_t kEntriesAt = 72, kEntryCount = 80, kEntrySize = 84;
-constexpr std::size_t kFirstBlock = 32, kName = 56, kNameLetters = 36;
+constexpr std::size_t kFirstBlock = 32, kLastBlock = 40, kName = 56, kNameLetters = 36;
 // A table that claims more entries, or shorter ones, is none of ours.
 constexpr std::uint64_t kMostEntries = 512, kLeastEntry_bytes = 128;
 
@@ -56,7 +56,7 @@ Result<void> Put(const std::string& data, const std::string& path, const std::st
 
 // The head is in the second block of 512 bytes; it tells where entries begin, how long one is and how many
 // there are (UEFI 2.10, 5.3). Numbers of the table are bounded by what was read of it.
-Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name) {
+Result<DiskSpan> PartitionSpan(const std::string& disk, const std::string& name) {
   const auto table = ReadBeginning(disk, kMostTable_bytes);
   if (!table) return tl::unexpected(table.error());
   const std::string_view bytes = *table, head = bytes.substr(std::min(bytes.size(), kBlock_bytes));
@@ -67,9 +67,15 @@ Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::s
   const std::uint64_t count = std::min(Number(head, kEntryCount, 4), kMostEntries);
   for (std::uint64_t at = entries; at < entries + count * size && at + kLeastEntry_bytes <= bytes.size();
        at += size)
-    if (const auto entry = bytes.substr(at, kLeastEntry_bytes); NameOf(entry) == name)
-      return Number(entry, kFirstBlock, 8) * kBlock_bytes;
+    if (const auto entry = bytes.substr(at, kLeastEntry_bytes); NameOf(entry) == name) {
+      const std::uint64_t first = Number(entry, kFirstBlock, 8), last = Number(entry, kLastBlock, 8);
+      return DiskSpan{first * kBlock_bytes, (last - first + 1) * kBlock_bytes};
+    }
   return FailInput(disk + " has no partition " + name);
+}
+
+Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name) {
+  return PartitionSpan(disk, name).map([](const DiskSpan& span) { return span.at_bytes; });
 }
 
 // What cp says goes into a log beside the copy.

@@ -7,12 +7,16 @@
 
 #include "drivers/base/result.h"
 #include "hw-sim/hil/setup.h"
+#include "hw-sim/hil/write_log.h"
 
 namespace kaori::hil {
 
 // Where the partition of that name begins on a disk with a GPT of 512-byte blocks. Reads the primary
 // table only. Errors: those of the file, invalid_argument (no GPT, no such partition).
 Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name);
+
+// The same with its length. Errors: as PartitionStart_bytes.
+Result<DiskSpan> PartitionSpan(const std::string& disk, const std::string& name);
 
 // A copy of a disk, and where one of its partitions begins on it.
 struct DiskCopy {

@@ -37,6 +37,7 @@ constexpr std::string_view kHelp =
   --scenes 0            of the scenario, from its beginning; 0 plays all
   --replugs 200         how often cables are pulled and plugged
   --seed 1              of their order
+  --effort 1            how many times as often the power is cut; a release: 25
   --controls            each check is followed by its negative control
   --usual-image FILE    the program that makes an image which starts in the usual way (tests/hil/usual_image)
   --sticks FOLDER       images of sticks that are plugged in (out/sticks)
@@ -57,7 +58,7 @@ log and its monitor are FOLDER/console.log and FOLDER/qmp
 // The command line as it was given; numbers are texts, which are read where they are used.
 struct Settings {
   std::string image = "out/image", bench_disk, bench_kernel, report = "out/bench", figures, play, only;
-  std::string scenes = "0", replugs = "200", seed = "1", size = "480x270", memory = "512",
+  std::string scenes = "0", replugs = "200", seed = "1", effort = "1", size = "480x270", memory = "512",
               usual_image = "tests/hil/usual_image", sticks = "out/sticks", chip;
   std::string shot, command, disk, arch = "amd64";
   bool chosen = false, list = false, controls = false, boot = false, trace = false;
@@ -165,6 +166,7 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
        .play = settings.play,
        .replugs = std::atoi(settings.replugs.c_str()),
        .scenes = std::atoi(settings.scenes.c_str()),
+       .effort = std::max(1, std::atoi(settings.effort.c_str())),
        .seed = static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10)),
        .controls = settings.controls},
       **target);
@@ -205,7 +207,7 @@ int main(int argc, char** argv) {
   options.Switch("--chosen", settings.chosen)
       .Switch("--list", settings.list)
       .Text("--replugs", settings.replugs);
-  options.Text("--seed", settings.seed).Text("--size", settings.size);
+  options.Text("--effort", settings.effort).Text("--seed", settings.seed).Text("--size", settings.size);
   options.Text("--scenes", settings.scenes).Switch("--controls", settings.controls);
   options.Text("--usual-image", settings.usual_image)
       .Text("--memory", settings.memory)

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include <fmt/format.h>
 
@@ -93,6 +94,9 @@ Result<void> QemuDriver::Start() {
   std::error_code ignored;
   for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp"})
     std::filesystem::remove(old, ignored);  // Of the machine before.
+  // QEMU opens a log that is there.
+  for (const std::string& log : {setup_.write_log, setup_.variables_log})
+    if (!log.empty()) std::ofstream(log).flush();
   std::vector<std::string> variables;
   // SDL is told which screen, since a desktop's own may be there as well.
   if (window_) variables = {"DISPLAY=" + window_->name(), "SDL_VIDEODRIVER=x11"};

@@ -15,7 +15,9 @@ namespace {
 
 // Seven sockets of the rig, and one for unauthorised devices.
 constexpr int kUsbPorts = 8;
-// A PC's, with Secure Boot, whose variables only it can write, in system management mode.
+// A PC's in two parts, with a flash chip for what it keeps, of Debian's package ovmf.
+constexpr const char* kKeepingFirmware = "/usr/share/OVMF/OVMF_CODE_4M.fd";
+// The same with Secure Boot, whose variables only it can write, in system management mode.
 constexpr const char* kSecureFirmware = "/usr/share/OVMF/OVMF_CODE_4M.secboot.fd";
 
 // The value of the last word "name=value"; empty where there is none.
@@ -53,12 +55,20 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
   if (setup.graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
 }
 
+// A file as QEMU opens it for a drive: with a log each write goes there too, once it is done.
+std::string LoggedFile(const std::string& file, const std::string& log) {
+  if (log.empty()) return fmt::format("format=raw,file={}", file);
+  return fmt::format("driver=blklogwrites,file.driver=file,file.filename={},log.driver=file,log.filename={}",
+                     file, log);
+}
+
 // "disk" is the drive's name, whatever it is attached to.
 void AddDisk(const QemuOptions& options, const Setup& setup, const std::string& disk,
              std::vector<std::string>& command) {
   // "snapshot=on" writes to a temporary file: the image stays as it ships, whatever the guest does.
-  Add(command, {"-drive", fmt::format("file={},if=none,id=disk,format=raw,{}", disk,
-                                      setup.keeps_disk ? "cache=writethrough" : "snapshot=on")});
+  const char* written = setup.keeps_disk ? "cache=writethrough" : "snapshot=on";
+  Add(command, {"-drive", fmt::format("if=none,id=disk,{},{}", LoggedFile(disk, setup.write_log),
+                                      setup.write_log.empty() ? written : "cache=writeback")});
   if (setup.disk_bus == DiskBus::kSata) {
     // A PC's chip set has its own.
     if (!IsPc(options)) Add(command, {"-device", "ahci,id=ide"});
@@ -96,19 +106,21 @@ void AddWatchdog(const QemuOptions& options, const Setup& setup, std::vector<std
   Add(command, {"-device", "i6300esb"});
 }
 
-// Two flash chips: the firmware, and what it keeps. Waking up from S3 is a way past it, which is shut.
-void AddSecureFirmware(const Setup& setup, std::vector<std::string>& command) {
-  Add(command,
-      {"-global", "driver=cfi.pflash01,property=secure,value=on", "-global", "ICH9-LPC.disable_s3=1"});
-  Add(command, {"-drive", fmt::format("if=pflash,unit=0,format=raw,readonly=on,file={}", kSecureFirmware)});
-  Add(command, {"-drive", "if=pflash,unit=1,format=raw,file=" + setup.variables});
+// Two flash chips: the firmware, and what it keeps. With Secure Boot waking up from S3 is a way past it, which is shut.
+void AddKeepingFirmware(const Setup& setup, std::vector<std::string>& command) {
+  if (setup.secure_boot)
+    Add(command,
+        {"-global", "driver=cfi.pflash01,property=secure,value=on", "-global", "ICH9-LPC.disable_s3=1"});
+  Add(command, {"-drive", fmt::format("if=pflash,unit=0,format=raw,readonly=on,file={}",
+                                      setup.secure_boot ? kSecureFirmware : kKeepingFirmware)});
+  Add(command, {"-drive", "if=pflash,unit=1," + LoggedFile(setup.variables, setup.variables_log)});
 }
 
 // With firmware the machine starts from its disk, as a real one; else QEMU loads the kernel, which is
 // quicker.
 void AddKernel(const QemuOptions& options, const Setup& setup, const std::string& command_line,
                std::vector<std::string>& command) {
-  if (!setup.variables.empty()) return AddSecureFirmware(setup, command);
+  if (!setup.variables.empty()) return AddKeepingFirmware(setup, command);
   const Platform& platform = PlatformOf(options.architecture);
   if (setup.firmware) return Add(command, {"-bios", std::string(platform.firmware)});
   const std::string of_the_image = fmt::format("{}/{}", ImageOf(options, setup), platform.kernel);
@@ -223,8 +235,8 @@ std::string BenchCommandLine(const std::string& of_the_image, const std::string&
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk) {
   const Platform& platform = PlatformOf(options.architecture);
-  // Secure Boot is a PC's here, and wants system management mode.
-  const std::string machine = std::string(platform.machine) + (setup.variables.empty() ? "" : ",smm=on");
+  // Secure Boot wants system management mode.
+  const std::string machine = std::string(platform.machine) + (setup.secure_boot ? ",smm=on" : "");
   // The name shows in its threads.
   std::vector<std::string> command{std::string(platform.qemu), "-M", machine, "-name",
                                    "box,debug-threads=on"};

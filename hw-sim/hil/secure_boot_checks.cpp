@@ -78,7 +78,8 @@ class KeyedPc {
                            .agent = false,
                            .firmware = true,
                            .disk = Disk(),
-                           .variables = Variables()});
+                           .variables = Variables(),
+                           .secure_boot = true});
   }
 
  private:

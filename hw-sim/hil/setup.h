@@ -59,8 +59,15 @@ struct Setup {
   std::string initramfs{};
   // Another disk; empty: the image's.
   std::string disk{};
-  // What a firmware with Secure Boot keeps, a file that it writes; empty: a firmware without, which keeps nothing.
+  // What the firmware keeps, a file that it writes; empty: a firmware that keeps nothing.
   std::string variables{};
+  // The firmware has Secure Boot; it wants `variables`.
+  bool secure_boot = false;
+  // Where QEMU notes each write to the disk, for WriteLog; empty: nowhere. The disk then has a cache that the machine
+  // flushes, as real ones have.
+  std::string write_log{};
+  // The same of `variables`.
+  std::string variables_log{};
   // A wired network card, by which this computer reaches the box's port 8443 at this one; 0: no card.
   int desk_port = 0;
   // box.toml; empty: as the image has it.

@@ -102,6 +102,7 @@ bring_chip() {
 }
 
 failed_checks=()
+effort=1  # How many times as often the power is cut.
 
 # Runs a command, says whether it passed, and goes on after a failure: run_check SENTENCE COMMAND...
 run_check() {
@@ -118,7 +119,7 @@ run_check() {
 # One after the other, since they share the processors. kaori-bench runs its checks with their negative controls; the other
 # one has its control in it.
 run_all_checks() {
-  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
+  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
   run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json
@@ -141,10 +142,14 @@ test_arm64_on_the_bench() {
     --play "$PLAY" --only $ARM64_CHECKS --replugs 24 --scenes 2 || fail "the box failed on the bench; the report is out/bench-arm64/report.html"
 }
 
-# --chosen: what runs each time.
+# --chosen: what runs each time. --release: cuts of the power as often as a release wants them, for hours.
 test_on_the_bench() {
   if [ "$*" = "--arch arm64" ]; then test_arm64_on_the_bench; return; fi
-  [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen or --arch arm64; see ./box help"
+  [[ $# -eq 0 || $* =~ ^--(chosen|release)$ ]] || fail "test --bench takes --chosen, --release or --arch arm64; see ./box help"
+  if [ "$*" = --release ]; then
+    effort=25
+    shift
+  fi
   need "${MACHINE_PACKAGES[@]}"
   [ $# -gt 0 ] || need "${WINDOW_PACKAGES[@]}" "${LONG_PACKAGES[@]}"
   image

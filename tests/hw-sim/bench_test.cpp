@@ -56,7 +56,7 @@ TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
   for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n)
     EXPECT_THAT(command, ::testing::Contains("usb-redir,chardev=usb" + std::to_string(n) +
                                              ",bus=xhci.0,port=" + std::to_string(n + 1)));
-  EXPECT_THAT(command, ::testing::Contains("file=i/kaori.disk,if=none,id=disk,format=raw,snapshot=on"))
+  EXPECT_THAT(command, ::testing::Contains("if=none,id=disk,format=raw,file=i/kaori.disk,snapshot=on"))
       << "nothing is written to it";
   EXPECT_THAT(command, ::testing::Contains("file=b,if=none,id=bench,format=raw,readonly=on"));
 }
@@ -71,8 +71,9 @@ TEST(QemuCommand, OnUsbHasTheDiskOnAControllerOfItsOwn) {
 }
 
 TEST(QemuCommand, WithSecureBootHasTwoFlashChipsAndNoOtherFirmware) {
-  const auto command = QemuCommand({.image = "i", .folder = "/f"},
-                                   {.agent = false, .firmware = true, .variables = "/f/kept"}, "line", "d");
+  const auto command = QemuCommand(
+      {.image = "i", .folder = "/f"},
+      {.agent = false, .firmware = true, .variables = "/f/kept", .secure_boot = true}, "line", "d");
   EXPECT_THAT(command, ::testing::Contains("if=pflash,unit=1,format=raw,file=/f/kept"));
   EXPECT_THAT(command, ::testing::Contains("q35,smm=on"));
   EXPECT_THAT(command, Not(::testing::Contains("-bios")));

@@ -1,0 +1,139 @@
+// The power of a PC with UEFI is switched off again and again, and in the middle of what its firmware keeps: the slot
+// that starts stays the same, and a face comes.
+#include <filesystem>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/updated_pc.h"
+#include "hw-sim/hil/write_log.h"
+
+namespace kaori::hil {
+namespace {
+
+constexpr int kCycles = 20, kVariableCuts = 10;  // For each unit of Scene::effort.
+// From the firmware's first moment to some frames of the show, on a quiet bench; on a busy one a cycle ends earlier in it.
+constexpr double kLongestCycle_s = 15;
+// How long no face may come where none is to come.
+constexpr Duration kNoFace = std::chrono::seconds(60);
+
+// Sectors that a start wrote elsewhere than on the data partition: by the firmware, the loader, the kernel, anybody.
+Result<std::uint64_t> SectorsBesideData(const UpdatedPc& pc) {
+  const auto data = PartitionSpan(pc.Disk(), "data");
+  if (!data) return tl::unexpected(data.error());
+  return WriteLog::Read(pc.DiskLog()).map([&](const WriteLog& log) { return log.SectorsOutside({*data}); });
+}
+
+// Whoever looks for a face is given a PC that was switched on with these variables; it is off again afterwards.
+Result<void> WantFaceOf(Scene& scene, const UpdatedPc& pc, const char* when, Duration longest) {
+  auto ok = pc.Start(scene);
+  if (ok) ok = AwaitUpdateFace(scene, when, longest);
+  scene.target.machine().Off();
+  return ok;
+}
+
+// The first start of a PC, in which the firmware lays out what it keeps: no other writes so much of it.
+Result<void> StartWhole(Scene& scene, const UpdatedPc& pc) {
+  auto ok = pc.StartNoted(scene);
+  if (ok) ok = AwaitUpdateFace(scene, "of a PC's first start");
+  if (ok) ok = scene.ShootFace("power-cycles", "The face of a PC's first start");
+  scene.target.machine().Off();
+  if (!ok) return ok;
+  const auto sectors = SectorsBesideData(pc);
+  if (!sectors) return tl::unexpected(sectors.error());
+  scene.finding.figures["start_sectors_written"] = static_cast<double>(*sectors);
+  return *sectors == 0 ? Result<void>{}
+                       : FailInput(fmt::format("a start writes {} sectors beside the data", *sectors));
+}
+
+// Cuts after so many writes of the first start's firmware, each of them a few bytes of its flash. Half of the points
+// are evenly spread, so that each phase has one, and the others lie where chance has them.
+Result<void> CutVariables(Scene& scene, const UpdatedPc& pc) {
+  const std::string noted = pc.VariablesLog() + ".first";
+  std::filesystem::rename(pc.VariablesLog(), noted);
+  const auto log = WriteLog::Read(noted);
+  if (!log) return tl::unexpected(log.error());
+  const std::size_t writes = log->entries().size();
+  if (writes == 0) return FailInput("the firmware kept nothing in its first start");
+  auto& figures = scene.finding.figures;
+  figures["variable_writes"] = static_cast<double>(writes);
+  const int cuts = kVariableCuts * scene.effort;
+  for (int n = 0; n < cuts; ++n) {
+    const std::size_t even = writes * static_cast<std::size_t>(n + 1) / static_cast<std::size_t>(cuts + 1);
+    const std::size_t until =
+        n % 2 == 0 ? even : std::uniform_int_distribution<std::size_t>(1, writes)(scene.chance);
+    auto ok = pc.ForgetVariables();
+    if (ok) ok = log->Replay(0, until, pc.Variables());
+    if (!ok) return ok;
+    figures["variable_cuts"] += 1;
+    if (WantFaceOf(scene, pc, "after a cut in the firmware's variables", kLongestUpdateStart)) continue;
+    figures["variable_cuts_dead"] += 1;
+    return FailInput(fmt::format("no face after a cut behind write {} of {} of the firmware", until, writes));
+  }
+  return {};
+}
+
+// Disk and variables are kept from each cycle to the next.
+Result<void> CyclePower(Scene& scene, const UpdatedPc& pc) {
+  auto& figures = scene.finding.figures;
+  std::uniform_real_distribution<double> long_s(0, kLongestCycle_s);
+  for (int n = 0; n < kCycles * scene.effort; ++n) {
+    if (auto ok = pc.StartNoted(scene); !ok) return ok;
+    scene.target.For(
+        std::chrono::duration_cast<Duration>(std::chrono::duration<double>(long_s(scene.chance))));
+    scene.target.machine().Off();
+    const auto sectors = SectorsBesideData(pc);
+    if (!sectors) return tl::unexpected(sectors.error());
+    figures["power_cycles"] += 1;
+    if (*sectors == 0 && pc.Default() == 'a') continue;
+    figures["slot_flips"] += 1;
+    return FailInput(fmt::format("cycle {}: {} sectors beside the data were written, and slot {} starts", n,
+                                 *sectors, pc.Default()));
+  }
+  return WantFaceOf(scene, pc, "after the power went many times", kLongestUpdateStart);
+}
+
+Result<void> PowerCycles(Scene& scene) {
+  const auto pc = UpdatedPc::Make(scene);
+  if (!pc) return tl::unexpected(pc.error());
+  auto& figures = scene.finding.figures;
+  for (const char* none : {"variable_cuts", "variable_cuts_dead", "power_cycles", "slot_flips"})
+    figures[none] = 0;
+  auto ok = StartWhole(scene, *pc);
+  if (ok) ok = CutVariables(scene, *pc);
+  if (ok) ok = CyclePower(scene, *pc);
+  scene.finding.said = fmt::format(
+      "a start wrote nothing beside the data; {:.0f} cuts in {:.0f} writes of the firmware left a face each; "
+      "after "
+      "{:.0f} switchings the same slot starts",
+      figures["variable_cuts"], figures["variable_writes"], figures["power_cycles"]);
+  return ok;
+}
+
+// The control: a write beside the data is seen, and so is a PC whose loader names a slot that does not start.
+Result<void> ASpoiltSlotIsSeen(Scene& scene) {
+  const auto pc = UpdatedPc::Make(scene);
+  if (!pc) return tl::unexpected(pc.error());
+  if (auto ok = pc->SpoilSlotB(); !ok) return ok;
+  if (auto ok = pc->NameDefault('b'); !ok) return ok;
+  if (pc->Default() != 'b') return FailInput("another default is not seen");
+  return WantFoundWrong(WantFaceOf(scene, *pc, "of a spoilt slot", kNoFace), "a spoilt slot shows its face");
+}
+
+}  // namespace
+
+std::vector<Check> PowerCycleChecks() {
+  return {
+      {.name = "power-cycles",
+       .sentence =
+           "A PC that is switched off at any moment, also while its firmware keeps something, starts the "
+           "same slot again",
+       .run = PowerCycles,
+       .setup = {.plugged = false, .sound = false, .agent = false},  // As UpdateChecks, which come before.
+       .control = ASpoiltSlotIsSeen,
+       .powers = true}};
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,163 @@
+#include "hw-sim/hil/updated_pc.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "drivers/base/read_file.h"
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/picture.h"
+#include "hw-sim/hil/process.h"
+
+namespace kaori::hil {
+namespace {
+
+constexpr std::size_t kBoot_bytes = std::size_t{64} << 20U;
+constexpr int kData_mib = 128;
+// As disk_checks.cpp has it.
+constexpr double kUpdatedNearStill = 0.05;
+constexpr const char* kRestartedPc = "/update-pc-restarted";
+constexpr const char* kFreshVariables = "/usr/share/OVMF/OVMF_VARS_4M.fd";
+
+Setup SetupOf(const UpdatedPc& pc) {
+  return {.sound = false,
+          .agent = false,
+          .firmware = true,
+          .keeps_disk = true,
+          .width_px = 480,
+          .height_px = 270,
+          .disk = pc.Disk(),
+          .variables = pc.Variables()};
+}
+
+}  // namespace
+
+Result<UpdatedPc> UpdatedPc::Make(Scene& scene) {
+  const QemuOptions& options = scene.target.machine().options();
+  UpdatedPc pc(options.folder + "/update-pc");
+  std::filesystem::remove_all(pc.folder_);
+  std::filesystem::create_directories(pc.folder_);
+  if (auto copy = CopyDisk(options.image + "/kaori.disk", pc.folder_, "pc.disk", "data"); !copy)
+    return tl::unexpected(copy.error());
+  if (auto ok = pc.ForgetVariables(); !ok) return tl::unexpected(ok.error());
+  return pc;
+}
+
+Result<void> UpdatedPc::ForgetVariables() const {
+  std::error_code failed;
+  std::filesystem::copy_file(kFreshVariables, Variables(), std::filesystem::copy_options::overwrite_existing,
+                             failed);
+  return failed ? Fail(std::errc::no_such_file_or_directory, kFreshVariables) : Result<void>{};
+}
+
+std::optional<UpdatedPc> UpdatedPc::Restarted(Scene& scene) {
+  const std::string& folder = scene.target.machine().options().folder;
+  UpdatedPc pc(folder + "/update-pc");
+  std::error_code none;
+  std::filesystem::remove_all(pc.folder_, none);
+  std::filesystem::rename(folder + kRestartedPc, pc.folder_, none);
+  if (none) return std::nullopt;
+  return pc;
+}
+
+void UpdatedPc::KeepRestarted(Scene& scene) const {
+  const std::string kept = scene.target.machine().options().folder + kRestartedPc;
+  std::error_code none;
+  std::filesystem::remove_all(kept, none);
+  std::filesystem::create_directories(kept, none);
+  for (const std::string& file : {Disk(), Variables()})
+    if (!RunToEnd({"cp", "--sparse=always", file, kept}, folder_ + "/cp.log"))
+      std::filesystem::remove_all(kept, none);
+}
+
+UpdatedPc::~UpdatedPc() {
+  std::error_code none;
+  if (!folder_.empty()) std::filesystem::remove_all(folder_, none);
+}
+
+Result<void> UpdatedPc::Start(Scene& scene) const {
+  if (auto ok = scene.target.PullAll(); !ok) return ok;
+  return scene.SwitchOn(SetupOf(*this));
+}
+
+Result<void> UpdatedPc::StartNoted(Scene& scene) const {
+  if (auto ok = scene.target.PullAll(); !ok) return ok;
+  Setup setup = SetupOf(*this);
+  setup.write_log = DiskLog();
+  setup.variables_log = VariablesLog();
+  return scene.SwitchOn(setup);
+}
+
+Result<std::uint64_t> UpdatedPc::LetterAt() const {
+  constexpr std::string_view kLine = "\ndefault kaori-";
+  const auto start = PartitionStart_bytes(Disk(), "boot");
+  if (!start) return tl::unexpected(start.error());
+  std::string boot(kBoot_bytes, '\0');
+  std::ifstream file(Disk(), std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(*start));
+  file.read(boot.data(), static_cast<std::streamsize>(boot.size()));
+  const std::size_t at = boot.find(kLine);
+  if (at == boot.npos) return FailInput(Disk() + " names no slot that starts by itself");
+  return *start + at + kLine.size();
+}
+
+char UpdatedPc::Default() const {
+  const auto at = LetterAt();
+  std::ifstream file(Disk(), std::ios::binary);
+  return at && file.seekg(static_cast<std::streamoff>(*at)) ? static_cast<char>(file.get()) : '?';
+}
+
+Result<void> UpdatedPc::NameDefault(char slot) const {
+  const auto at = LetterAt();
+  if (!at) return tl::unexpected(at.error());
+  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(static_cast<std::streamoff>(*at));
+  file.put(slot);
+  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+}
+
+std::string UpdatedPc::Kept(const std::string& name) const {
+  const std::string data = folder_ + "/data.ext4", log = folder_ + "/debugfs.log";
+  const auto start = PartitionStart_bytes(Disk(), "data");
+  if (!start) return {};
+  std::filesystem::remove(data);
+  const bool copied = RunToEnd({"dd", "if=" + Disk(), "of=" + data, "bs=1M", fmt::format("skip={}B", *start),
+                                fmt::format("count={}", kData_mib)},
+                               folder_ + "/dd.log")
+                          .has_value();
+  if (!copied || !RunToEnd({"debugfs", "-w", "-R", "journal_run", data}, log)) return {};
+  std::filesystem::remove(folder_ + "/kept");
+  static_cast<void>(RunToEnd({"debugfs", "-R", "dump " + name + " " + folder_ + "/kept", data}, log));
+  return ReadFile(folder_ + "/kept").value_or("");
+}
+
+Result<void> UpdatedPc::SpoilSlotB() const {
+  constexpr std::uint64_t kSuperBlock_bytes = 1024 + 64;
+  const auto start = PartitionStart_bytes(Disk(), "root-b");
+  if (!start) return tl::unexpected(start.error());
+  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(*start + kSuperBlock_bytes));
+  const int byte = file.get();
+  file.seekp(static_cast<std::streamoff>(*start + kSuperBlock_bytes));
+  file.put(static_cast<char>(byte ^ 1));
+  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+}
+
+Result<void> AwaitUpdateFace(Scene& scene, const char* when, Duration longest) {
+  const std::string still = scene.target.machine().options().image + "/root/usr/share/kaori/still.ppm";
+  const std::string shot = scene.folder + "/update-shot.png", first = scene.folder + "/update-still.png";
+  bool is_lit = false;
+  const auto moves = [&] {
+    const auto apart =
+        scene.target.machine().Shoot(0, shot).and_then([&] { return MeanDifference(shot, still); });
+    if (!apart || *apart >= kUpdatedNearStill) return false;
+    if (!std::exchange(is_lit, true))
+      std::filesystem::copy_file(shot, first, std::filesystem::copy_options::overwrite_existing);
+    const auto changed = ChangedPart(shot, first);
+    return changed && *changed > 0;
+  };
+  return scene.target.Await(moves, longest, fmt::format("see the face move {}", when));
+}
+
+}  // namespace kaori::hil

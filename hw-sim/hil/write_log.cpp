@@ -1,0 +1,91 @@
+#include "hw-sim/hil/write_log.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+namespace kaori::hil {
+namespace {
+
+// The kernel's Documentation/admin-guide/device-mapper/log-writes.rst, in sectors of 512 bytes: a head, then each entry in a
+// sector of its own, with what was written behind it.
+constexpr std::uint64_t kLogMagic = 0x6a736677736872, kLogVersion = 1, kLogSector_bytes = 512;
+constexpr std::uint64_t kSaysFlush = 1, kSaysDiscard = 4;  // Flags of an entry.
+// A machine never writes more at once; a number above it is none.
+constexpr std::uint64_t kMostAtOnce_bytes = std::uint64_t{1} << 30U;
+
+std::uint64_t NumberAt(std::string_view bytes, std::size_t at, std::size_t length = 8) {
+  std::uint64_t number = 0;
+  for (std::size_t n = length; n-- > 0;) number = number << 8U | static_cast<unsigned char>(bytes[at + n]);
+  return number;
+}
+
+// Nothing at the file's end.
+bool ReadSector(std::ifstream& file, std::uint64_t at, std::array<char, kLogSector_bytes>& sector) {
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(at));
+  return static_cast<bool>(file.read(sector.data(), sector.size()));
+}
+
+}  // namespace
+
+bool DiskSpan::Holds(const LoggedWrite& write) const {
+  return write.at_bytes >= at_bytes && write.at_bytes + write.bytes <= at_bytes + bytes;
+}
+
+// QEMU writes the head at each flush: before the first one there is none.
+Result<WriteLog> WriteLog::Read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return Fail(std::errc::no_such_file_or_directory, "open " + path);
+  const auto length = static_cast<std::uint64_t>(file.tellg());
+  std::array<char, kLogSector_bytes> sector{};
+  const std::string_view bytes(sector.data(), sector.size());
+  const bool has_head =
+      ReadSector(file, 0, sector) && !bytes.starts_with(std::string(kLogSector_bytes, '\0'));
+  if (has_head && (NumberAt(bytes, 0) != kLogMagic || NumberAt(bytes, 8) != kLogVersion ||
+                   NumberAt(bytes, 24, 4) != kLogSector_bytes))
+    return FailInput(path + " is no log of writes");
+  std::vector<LoggedWrite> entries;
+  for (std::uint64_t at = kLogSector_bytes; ReadSector(file, at, sector);) {
+    const std::uint64_t where = NumberAt(bytes, 0), count = NumberAt(bytes, 8), flags = NumberAt(bytes, 16);
+    const std::uint64_t size = count * kLogSector_bytes;
+    if (count > kMostAtOnce_bytes / kLogSector_bytes) break;
+    at += kLogSector_bytes;
+    if ((flags & kSaysFlush) != 0) entries.push_back({});
+    // A discard has no content, and no disk has to do anything about it.
+    if ((flags & kSaysDiscard) != 0) continue;
+    if (at + size > length) break;
+    if (size > 0) entries.push_back({where * kLogSector_bytes, size, at});
+    at += size;
+  }
+  return WriteLog(path, std::move(entries));
+}
+
+std::uint64_t WriteLog::SectorsOutside(const std::vector<DiskSpan>& spans) const {
+  std::uint64_t sectors = 0;
+  for (const LoggedWrite& write : entries_)
+    if (std::ranges::none_of(spans, [&](const auto& span) { return span.Holds(write); }))
+      sectors += write.bytes / kLogSector_bytes;
+  return sectors;
+}
+
+Result<void> WriteLog::Put(const LoggedWrite& write, const std::string& disk) const {
+  std::string content(write.bytes, '\0');
+  std::ifstream from(file_, std::ios::binary);
+  from.seekg(static_cast<std::streamoff>(write.content_at));
+  from.read(content.data(), static_cast<std::streamsize>(write.bytes));
+  std::fstream to(disk, std::ios::binary | std::ios::in | std::ios::out);
+  to.seekp(static_cast<std::streamoff>(write.at_bytes));
+  to.write(content.data(), static_cast<std::streamsize>(write.bytes));
+  return from && to.flush() ? Result<void>{} : Fail(std::errc::io_error, "replay a write onto " + disk);
+}
+
+Result<void> WriteLog::Replay(std::size_t from, std::size_t until, const std::string& disk) const {
+  for (std::size_t n = from; n < until; ++n)
+    if (entries_[n].bytes > 0)
+      if (auto ok = Put(entries_[n], disk); !ok) return ok;
+  return {};
+}
+
+}  // namespace kaori::hil
