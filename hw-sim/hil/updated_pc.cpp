@@ -1,5 +1,6 @@
 #include "hw-sim/hil/updated_pc.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -13,6 +14,7 @@
 namespace kaori::hil {
 namespace {
 
+constexpr std::size_t kSector_bytes = 512;
 constexpr std::size_t kBoot_bytes = std::size_t{64} << 20U;
 constexpr int kData_mib = 128;
 // As disk_checks.cpp has it.
@@ -100,6 +102,30 @@ Result<std::uint64_t> UpdatedPc::LetterAt() const {
   const std::size_t at = boot.find(kLine);
   if (at == boot.npos) return FailInput(Disk() + " names no slot that starts by itself");
   return *start + at + kLine.size();
+}
+
+Result<DiskSpan> UpdatedPc::DecidingSector() const {
+  return LetterAt().map([](std::uint64_t at) {
+    return DiskSpan{at / kSector_bytes * kSector_bytes, kSector_bytes};
+  });
+}
+
+// Microsoft's FAT specification 1.03: sectors before the first table, tables, and sectors of each, of FAT16 or of FAT32.
+Result<DiskSpan> UpdatedPc::FatTables() const {
+  const auto start = PartitionStart_bytes(Disk(), "boot");
+  if (!start) return tl::unexpected(start.error());
+  std::array<char, kSector_bytes> head{};
+  std::ifstream file(Disk(), std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(*start));
+  const auto number = [&](std::size_t at, std::size_t length) {
+    std::uint64_t value = 0;
+    for (std::size_t n = length; n-- > 0;) value = value << 8U | static_cast<unsigned char>(head[at + n]);
+    return value;
+  };
+  if (!file.read(head.data(), head.size()) || number(510, 2) != 0xAA55 || number(11, 2) != kSector_bytes)
+    return FailInput(Disk() + " has no FAT to start from");
+  const std::uint64_t each = number(22, 2) != 0 ? number(22, 2) : number(36, 4);
+  return DiskSpan{*start, (number(14, 2) + number(16, 1) * each) * kSector_bytes};
 }
 
 char UpdatedPc::Default() const {
