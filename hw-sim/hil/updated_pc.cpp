@@ -158,16 +158,36 @@ std::string UpdatedPc::Kept(const std::string& name) const {
   return ReadFile(folder_ + "/kept").value_or("");
 }
 
+Result<void> UpdatedPc::FlipBit(std::uint64_t at_bytes) const {
+  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(at_bytes));
+  const int byte = file.get();
+  file.seekp(static_cast<std::streamoff>(at_bytes));
+  file.put(static_cast<char>(byte ^ 1));
+  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+}
+
 Result<void> UpdatedPc::SpoilSlotB() const {
   constexpr std::uint64_t kSuperBlock_bytes = 1024 + 64;
   const auto start = PartitionStart_bytes(Disk(), "root-b");
   if (!start) return tl::unexpected(start.error());
-  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
-  file.seekg(static_cast<std::streamoff>(*start + kSuperBlock_bytes));
-  const int byte = file.get();
-  file.seekp(static_cast<std::streamoff>(*start + kSuperBlock_bytes));
-  file.put(static_cast<char>(byte ^ 1));
-  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+  return FlipBit(*start + kSuperBlock_bytes);
+}
+
+// A root is not packed, so that a page of the show lies there as it is in the file.
+Result<void> UpdatedPc::SpoilShow(const std::string& show) const {
+  constexpr std::size_t kPage_bytes = 4096;
+  const auto root = PartitionSpan(Disk(), "root-a");
+  if (!root) return tl::unexpected(root.error());
+  std::string page(kPage_bytes, '\0'), there(root->bytes, '\0');
+  std::ifstream from(show, std::ios::binary), disk(Disk(), std::ios::binary);
+  from.seekg(kPage_bytes);
+  from.read(page.data(), static_cast<std::streamsize>(page.size()));
+  disk.seekg(static_cast<std::streamoff>(root->at_bytes));
+  disk.read(there.data(), static_cast<std::streamsize>(there.size()));
+  const std::size_t at = there.find(page);
+  if (!from || !disk || at == there.npos) return FailInput("root-a has no page of " + show);
+  return FlipBit(root->at_bytes + at);
 }
 
 Result<void> AwaitUpdateFace(Scene& scene, const char* when, Duration longest) {

@@ -53,6 +53,9 @@ class UpdatedPc {
   // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first
   // thing that is read of a root. The kernel of slot B then refuses it. Errors: io_error.
   Result<void> SpoilSlotB() const;
+  // One bit of the show in the root of slot A, in a page that a stage reads before its first picture. `show`: the file that
+  // the image's root was made of. Errors: io_error; invalid_argument, the root has no such page.
+  Result<void> SpoilShow(const std::string& show) const;
 
   std::string Disk() const { return folder_ + "/pc.disk"; }
   std::string Variables() const { return folder_ + "/variables.fd"; }
@@ -62,6 +65,8 @@ class UpdatedPc {
   Result<void> ForgetVariables() const;
 
  private:
+  // Errors: io_error.
+  Result<void> FlipBit(std::uint64_t at_bytes) const;
   // Where on the disk loader.conf has the slot's letter. Errors: invalid_argument.
   Result<std::uint64_t> LetterAt() const;
   explicit UpdatedPc(std::string folder) : folder_(std::move(folder)) {}
