@@ -160,6 +160,8 @@ std::vector<Check> SecureBootChecks();
 std::vector<Check> UpdateChecks();
 // The power goes at any moment, in a PC with UEFI.
 std::vector<Check> PowerCycleChecks();
+// The disk has spoilt the root's show, in such a PC.
+std::vector<Check> SpoiltShowChecks();
 // The box on a USB stick and on an SD card, as its only disk.
 std::vector<Check> MediumChecks();
 // A changed root is refused, and UEFI starts the disk.

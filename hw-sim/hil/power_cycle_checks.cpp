@@ -119,7 +119,10 @@ Result<void> ASpoiltSlotIsSeen(Scene& scene) {
   if (auto ok = pc->SpoilSlotB(); !ok) return ok;
   if (auto ok = pc->NameDefault('b'); !ok) return ok;
   if (pc->Default() != 'b') return FailInput("another default is not seen");
-  return WantFoundWrong(WantFaceOf(scene, *pc, "of a spoilt slot", kNoFace), "a spoilt slot shows its face");
+  if (auto ok = pc->Start(scene); !ok) return ok;
+  const auto seen = AwaitUpdateFace(scene, "of a spoilt slot", kNoFace);
+  scene.target.machine().Off();
+  return seen ? FailInput("a spoilt slot shows its face") : Result<void>{};
 }
 
 }  // namespace

@@ -21,7 +21,6 @@ using std::chrono::seconds;
 constexpr Duration kLongestInstalling = minutes(20);  // At the lowest priority, beside a face that wants all.
 constexpr std::size_t kLargestSupport_bytes = std::size_t{8} << 20U;  // More than the box writes.
 constexpr Duration kRateSpan = seconds(20);
-constexpr std::string_view kIsOn = "it is on the box and plays now";
 
 // How many frames a second the stage presents, between two looks at the board; 0 where they do not tell.
 double Rate(const Result<BoardView>& from, const Result<BoardView>& to) {
@@ -29,10 +28,23 @@ double Rate(const Result<BoardView>& from, const Result<BoardView>& to) {
   return 1e9 * (to->stage.frames - from->stage.frames) / static_cast<double>(to->now_ns - from->now_ns);
 }
 
-// Until the show is on the box. The stage counts anew when it starts with the show: what it counted last
+// What the first line of a stick's list does, and by which names it is measured.
+struct Bringing {
+  // Said once its key was pressed, and when it is done.
+  std::string_view begins, done;
+  // Figures: the face's rate meanwhile, of that before; how long it took.
+  const char* rate;
+  const char* took_s;
+};
+constexpr Bringing kShow{"evening: it ", "it is on the box and plays now", "install_under_play_rate",
+                         "install_s"};
+constexpr Bringing kUpdate{": it is being ", "it is on the box and waits", "face_rate_while_installing",
+                           "update_under_play_s"};
+
+// Until it is on the box. The stage counts anew when it starts with a show: what it counted last
 // before that is the end of the span. The box is asked as often before the installation as during it, since
 // its answers cost an emulated machine more than the installation does.
-Result<void> InstallUnderPlay(Scene& scene) {
+Result<void> InstallUnderPlay(Scene& scene, const Bringing& what) {
   const auto first = scene.target.Board();
   auto last = first;
   std::string said;
@@ -40,24 +52,24 @@ Result<void> InstallUnderPlay(Scene& scene) {
     said = TextInBox(scene, kSaid);
     auto board = scene.target.Board();
     if (board && last && board->stage.frames >= last->stage.frames) last = std::move(board);
-    return said.find(kIsOn) != std::string::npos;
+    return said.find(what.done) != std::string::npos;
   };
   static_cast<void>(scene.target.Until(ask, kRateSpan));
   const auto began = last;
-  if (auto ok = PressFor(scene, kOne, "evening: it "); !ok) return ok;
+  if (auto ok = PressFor(scene, kOne, what.begins); !ok) return ok;
   if (!scene.target.Until(ask, kLongestInstalling))
-    return FailInput("the show is not installed, but the box says \"" + said + "\"");
+    return FailInput("what the stick brings is not installed, but the box says \"" + said + "\"");
   const double before = Rate(first, began), during = Rate(began, last);
-  if (before > 0) scene.finding.figures["install_under_play_rate"] = during / before;
+  if (before > 0) scene.finding.figures[what.rate] = during / before;
   if (began && last)
-    scene.finding.figures["install_s"] = 1e-9 * static_cast<double>(last->now_ns - began->now_ns);
+    scene.finding.figures[what.took_s] = 1e-9 * static_cast<double>(last->now_ns - began->now_ns);
   return {};
 }
 
 // The key of whoever signed it, then the show.
 Result<void> BringShow(Scene& scene) {
   if (auto ok = BringKey(scene); !ok) return ok;
-  return InstallUnderPlay(scene);
+  return InstallUnderPlay(scene, kShow);
 }
 
 // Another show of the same theatre, with some bytes changed: it is copied, and refused; what plays goes on.
@@ -162,6 +174,41 @@ Result<void> NothingIsReadWithoutTheKey(Scene& scene) {
   return ok;
 }
 
+// Firmware plays no part in it: the update is brought in and waits, and this disk is never started again.
+Result<void> TakesAnUpdate(Scene& scene) {
+  const QemuOptions& options = scene.target.machine().options();
+  if (!std::filesystem::exists(options.sticks + "/update.stick"))
+    return scene.Skip("there is no stick with an update; --sticks names its folder");
+  const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "updated.disk", "data");
+  if (!disk) return tl::unexpected(disk.error());
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(StickSetup(disk->file));
+  scene.target.rig().gpio().Close(kStickKey);
+  if (ok) ok = Plug(scene, "update.stick");
+  if (ok) ok = WantStickSaid(scene, "> 1  ", kLongestReading);
+  if (ok) ok = InstallUnderPlay(scene, kUpdate);
+  scene.target.rig().gpio().Open(kStickKey);
+  static_cast<void>(scene.target.machine().PullUnauthorised());
+  box.Off();
+  std::filesystem::remove(disk->file);
+  scene.finding.said =
+      fmt::format("an update was written within {:.0f} s; the face kept {:.2f} of its rate meanwhile",
+                  scene.finding.figures[kUpdate.took_s], scene.finding.figures[kUpdate.rate]);
+  return ok;
+}
+
+// The control: with the key off no update is taken.
+Result<void> NoUpdateWithoutTheKey(Scene& scene) {
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(StickSetup(""));
+  if (ok) ok = Plug(scene, "update.stick");
+  if (ok)
+    ok = WantFoundWrong(WantStickSaid(scene, "> 1  ", seconds(60)), "an update is read without the key");
+  static_cast<void>(scene.target.machine().PullUnauthorised());
+  box.Off();
+  return ok;
+}
+
 }  // namespace
 
 std::vector<Check> StickChecks() {
@@ -172,6 +219,14 @@ std::vector<Check> StickChecks() {
            StickSetup(""),
            {},
            NothingIsReadWithoutTheKey,
+           true},
+          {"update-under-play",
+           "The face plays on while a stick brings an update",
+           false,
+           TakesAnUpdate,
+           StickSetup(""),
+           {},
+           NoUpdateWithoutTheKey,
            true}};
 }
 

@@ -1,10 +1,14 @@
 // An update of the box by a stick, in a PC with UEFI: it is brought in, tried and stays; a bad one gives way.
+#include <algorithm>
 #include <filesystem>
+#include <random>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/update_history.h"
 #include "hw-sim/hil/updated_pc.h"
 
 namespace kaori::hil {
@@ -20,6 +24,7 @@ constexpr Duration kLongestUpdating = minutes(30);
 constexpr Duration kLongestTrial = minutes(6);
 constexpr Duration kStickListed = seconds(90);  // Of a stick that is plugged in, until it stands in the list.
 constexpr Duration kDiskLooks = seconds(10);    // Between two looks at what the machine has written.
+constexpr int kUpdateCuts = 10;                 // For each unit of Scene::effort.
 constexpr int kUpdateKey = 2;                   // A line of the bridge, as docs/image.md wires it.
 constexpr std::uint8_t kFirst = 0x1E, kSecond = 0x1F, kPageUp = 0x4B;  // Keys, HID page 7.
 
@@ -84,9 +89,9 @@ Result<void> RestartIntoB(Scene& scene) {
 
 // Both the check and its control begin so.
 //
-// Brings the update in and restarts; the machine is off then.
+// Brings the update in and restarts; the machine is off then. What it wrote is noted.
 Result<void> UpdateAndRestart(Scene& scene, const UpdatedPc& pc) {
-  auto ok = pc.Start(scene);
+  auto ok = pc.StartNoted(scene);
   if (ok) ok = AwaitUpdateFace(scene, "before the update");
   if (ok) ok = BringUpdate(scene, pc);
   if (ok && pc.Default() != 'a') ok = FailInput("slot B is confirmed before it was tried");
@@ -99,22 +104,94 @@ Result<void> UpdateAndRestart(Scene& scene, const UpdatedPc& pc) {
   return ok;
 }
 
+// Where an update may write: beside it, the disk has what must start after any cut.
+Result<void> WantNothingAstray(Scene& scene, const UpdateHistory& history, const UpdatedPc& pc) {
+  std::vector<DiskSpan> allowed;
+  for (const char* name : {"data", "root-b", "verity-b", "boot"}) {
+    const auto span = PartitionSpan(pc.Disk(), name);
+    if (!span) return tl::unexpected(span.error());
+    allowed.push_back(*span);
+  }
+  const auto tables = pc.FatTables();
+  if (!tables) return tl::unexpected(tables.error());
+  const std::uint64_t astray = history.SectorsOutside(allowed);
+  scene.finding.figures["update_sectors_astray"] = static_cast<double>(astray);
+  if (astray > 0) return FailInput(fmt::format("an update writes {} sectors where it must not", astray));
+  if (history.FirstInto(*tables) < history.entries())
+    return FailInput("an update writes into the tables of the boot partition");
+  return {};
+}
+
+// Right before and after the one write that changes which slot starts; of the others half are evenly spread, and half lie where chance has
+// them.
+std::vector<std::size_t> CutPoints(Scene& scene, std::size_t entries, std::size_t decides) {
+  std::vector<std::size_t> points{decides, decides + 1};
+  const int others = kUpdateCuts * scene.effort - 2;
+  for (int n = 0; n < others; ++n)
+    points.push_back(n % 2 == 0
+                         ? entries * static_cast<std::size_t>(n + 1) / static_cast<std::size_t>(others + 1)
+                         : std::uniform_int_distribution<std::size_t>(1, entries)(scene.chance));
+  std::ranges::sort(points);
+  return points;
+}
+
+// The power went after some of the writes of the update, and a face comes: of the slot before, until the one write that decides.
+Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc) {
+  if (auto ok = WantNothingAstray(scene, history, pc); !ok) return ok;
+  const auto decision = pc.DecidingSector();
+  if (!decision) return tl::unexpected(decision.error());
+  const std::size_t decides = history.FirstInto(*decision);
+  if (decides == history.entries()) return FailInput("nothing confirmed the update");
+  auto& figures = scene.finding.figures;
+  figures["update_writes"] = static_cast<double>(history.entries());
+  figures["boots_without_face"] = 0;
+  for (const std::size_t point : CutPoints(scene, history.entries(), decides)) {
+    if (auto ok = history.CutAfter(point, pc); !ok) return ok;
+    const char named = pc.Default(), wanted = point <= decides ? 'a' : 'b';
+    if (named != wanted)
+      return FailInput(fmt::format("after write {} of {} slot {} starts by itself, and {} should", point,
+                                   history.entries(), named, wanted));
+    figures["boots_after_cut"] += 1;
+    auto ok = pc.Start(scene);
+    if (ok) ok = AwaitUpdateFace(scene, "after a cut in the update");
+    scene.target.machine().Off();
+    if (ok) continue;
+    figures["boots_without_face"] += 1;
+    return FailInput(fmt::format("no face after a cut behind write {} of {}", point, history.entries()));
+  }
+  return {};
+}
+
+// Its face was seen for a minute, and all that tells of a try is gone.
+Result<void> AwaitConfirmed(Scene& scene, const UpdatedPc& pc) {
+  auto ok = pc.StartNoted(scene);
+  if (ok) ok = AwaitUpdateFace(scene, "of the update");
+  if (ok && pc.Default() != 'a') ok = FailInput("the update is confirmed before its face was looked at");
+  const auto gone = [&](const std::string& kept) { return kept.empty() && pc.Default() == 'b'; };
+  if (ok) ok = AwaitKept(scene, pc, "update/pending", gone, kLongestTrial);
+  if (ok) ok = scene.ShootFace("update", "The face of the update, which stays");
+  scene.target.machine().Off();
+  return ok;
+}
+
 Result<void> Update(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   if (!std::filesystem::exists(options.sticks + "/update.stick"))
     return scene.Skip("there is no stick with an update; --sticks names its folder");
   auto pc = UpdatedPc::Make(scene);
   if (!pc) return tl::unexpected(pc.error());
+  auto history = UpdateHistory::Begin(scene, *pc);
+  if (!history) return tl::unexpected(history.error());
   auto ok = UpdateAndRestart(scene, *pc);
-  if (ok) ok = pc->Start(scene);
-  if (ok) ok = AwaitUpdateFace(scene, "of the update");
-  if (ok && pc->Default() != 'a') ok = FailInput("the update is confirmed before its face was looked at");
-  const auto gone = [&](const std::string& kept) { return kept.empty() && pc->Default() == 'b'; };
-  if (ok) ok = AwaitKept(scene, *pc, "update/pending", gone, kLongestTrial);
-  if (ok) ok = scene.ShootFace("update", "The face of the update, which stays");
-  scene.target.machine().Off();
-  scene.finding.said = fmt::format("an update by stick was brought in within {:.0f} s, tried, and stays",
-                                   scene.finding.figures["update_install_s"]);
+  if (ok) ok = history->Add(*pc);
+  if (ok) ok = AwaitConfirmed(scene, *pc);
+  if (ok) ok = history->Add(*pc);
+  if (ok) ok = CutUpdate(scene, *history, *pc);
+  scene.finding.said = fmt::format(
+      "an update by stick was brought in within {:.0f} s, tried, and stays; a face came after each of {:.0f} "
+      "cuts in its {:.0f} writes",
+      scene.finding.figures["update_install_s"], scene.finding.figures["boots_after_cut"],
+      scene.finding.figures["update_writes"]);
   return ok;
 }
 

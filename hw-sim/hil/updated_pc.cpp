@@ -1,5 +1,6 @@
 #include "hw-sim/hil/updated_pc.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -13,6 +14,7 @@
 namespace kaori::hil {
 namespace {
 
+constexpr std::size_t kSector_bytes = 512;
 constexpr std::size_t kBoot_bytes = std::size_t{64} << 20U;
 constexpr int kData_mib = 128;
 // As disk_checks.cpp has it.
@@ -102,6 +104,30 @@ Result<std::uint64_t> UpdatedPc::LetterAt() const {
   return *start + at + kLine.size();
 }
 
+Result<DiskSpan> UpdatedPc::DecidingSector() const {
+  return LetterAt().map([](std::uint64_t at) {
+    return DiskSpan{at / kSector_bytes * kSector_bytes, kSector_bytes};
+  });
+}
+
+// Microsoft's FAT specification 1.03: sectors before the first table, tables, and sectors of each, of FAT16 or of FAT32.
+Result<DiskSpan> UpdatedPc::FatTables() const {
+  const auto start = PartitionStart_bytes(Disk(), "boot");
+  if (!start) return tl::unexpected(start.error());
+  std::array<char, kSector_bytes> head{};
+  std::ifstream file(Disk(), std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(*start));
+  const auto number = [&](std::size_t at, std::size_t length) {
+    std::uint64_t value = 0;
+    for (std::size_t n = length; n-- > 0;) value = value << 8U | static_cast<unsigned char>(head[at + n]);
+    return value;
+  };
+  if (!file.read(head.data(), head.size()) || number(510, 2) != 0xAA55 || number(11, 2) != kSector_bytes)
+    return FailInput(Disk() + " has no FAT to start from");
+  const std::uint64_t each = number(22, 2) != 0 ? number(22, 2) : number(36, 4);
+  return DiskSpan{*start, (number(14, 2) + number(16, 1) * each) * kSector_bytes};
+}
+
 char UpdatedPc::Default() const {
   const auto at = LetterAt();
   std::ifstream file(Disk(), std::ios::binary);
@@ -132,16 +158,36 @@ std::string UpdatedPc::Kept(const std::string& name) const {
   return ReadFile(folder_ + "/kept").value_or("");
 }
 
+Result<void> UpdatedPc::FlipBit(std::uint64_t at_bytes) const {
+  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(at_bytes));
+  const int byte = file.get();
+  file.seekp(static_cast<std::streamoff>(at_bytes));
+  file.put(static_cast<char>(byte ^ 1));
+  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+}
+
 Result<void> UpdatedPc::SpoilSlotB() const {
   constexpr std::uint64_t kSuperBlock_bytes = 1024 + 64;
   const auto start = PartitionStart_bytes(Disk(), "root-b");
   if (!start) return tl::unexpected(start.error());
-  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
-  file.seekg(static_cast<std::streamoff>(*start + kSuperBlock_bytes));
-  const int byte = file.get();
-  file.seekp(static_cast<std::streamoff>(*start + kSuperBlock_bytes));
-  file.put(static_cast<char>(byte ^ 1));
-  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+  return FlipBit(*start + kSuperBlock_bytes);
+}
+
+// A root is not packed, so that a page of the show lies there as it is in the file.
+Result<void> UpdatedPc::SpoilShow(const std::string& show) const {
+  constexpr std::size_t kPage_bytes = 4096;
+  const auto root = PartitionSpan(Disk(), "root-a");
+  if (!root) return tl::unexpected(root.error());
+  std::string page(kPage_bytes, '\0'), there(root->bytes, '\0');
+  std::ifstream from(show, std::ios::binary), disk(Disk(), std::ios::binary);
+  from.seekg(kPage_bytes);
+  from.read(page.data(), static_cast<std::streamsize>(page.size()));
+  disk.seekg(static_cast<std::streamoff>(root->at_bytes));
+  disk.read(there.data(), static_cast<std::streamsize>(there.size()));
+  const std::size_t at = there.find(page);
+  if (!from || !disk || at == there.npos) return FailInput("root-a has no page of " + show);
+  return FlipBit(root->at_bytes + at);
 }
 
 Result<void> AwaitUpdateFace(Scene& scene, const char* when, Duration longest) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/write_log.h"
 
 namespace kaori::hil {
 
@@ -38,6 +39,12 @@ class UpdatedPc {
   // the file. The partition is read whole, since the host has no loader that knows where the file lies.
   // The slot that starts by itself, 'a' or 'b'; '?' where loader.conf says something else.
   char Default() const;
+  // The sector that has this slot's name in loader.conf: one write into it is all that a confirmation is. Errors: invalid_argument,
+  // there is no such line.
+  Result<DiskSpan> DecidingSector() const;
+  // What the boot partition has before its files: its head and its tables, which tell where files lie. Errors: those of the
+  // file; invalid_argument, it is no FAT.
+  Result<DiskSpan> FatTables() const;
   // Has loader.conf name this slot, as whoever confirms it does. Errors: invalid_argument, there is no such line.
   Result<void> NameDefault(char slot) const;
   // A file of the data partition as a start would find it: of a copy, whose journal is played. The machine may be writing
@@ -46,6 +53,9 @@ class UpdatedPc {
   // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first
   // thing that is read of a root. The kernel of slot B then refuses it. Errors: io_error.
   Result<void> SpoilSlotB() const;
+  // One bit of the show in the root of slot A, in a page that a stage reads before its first picture. `show`: the file that
+  // the image's root was made of. Errors: io_error; invalid_argument, the root has no such page.
+  Result<void> SpoilShow(const std::string& show) const;
 
   std::string Disk() const { return folder_ + "/pc.disk"; }
   std::string Variables() const { return folder_ + "/variables.fd"; }
@@ -55,6 +65,8 @@ class UpdatedPc {
   Result<void> ForgetVariables() const;
 
  private:
+  // Errors: io_error.
+  Result<void> FlipBit(std::uint64_t at_bytes) const;
   // Where on the disk loader.conf has the slot's letter. Errors: invalid_argument.
   Result<std::uint64_t> LetterAt() const;
   explicit UpdatedPc(std::string folder) : folder_(std::move(folder)) {}

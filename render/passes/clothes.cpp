@@ -1,6 +1,7 @@
 #include "render/passes/clothes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -47,6 +48,16 @@ glm::vec3 PaintAt(const Appearance& appearance, const Dressing& dressing, std::s
   return paint;
 }
 
+// As clothes.vert wants them: x what these clothes have, y what all have; behind the steps the half widths.
+std::array<glm::vec4, Outline::kSamples + 1> Outlines(const Outline& own, const Outline& all) {
+  std::array<glm::vec4, Outline::kSamples + 1> outlines{};
+  for (std::size_t i = 0; i < Outline::kSamples; ++i)
+    outlines[i] = {own.below_collar_m[i], all.below_collar_m[i], 0, 0};
+  constexpr float kNoWidth_m = 1e-4F;
+  outlines.back() = {std::max(own.half_width_m, kNoWidth_m), std::max(all.half_width_m, kNoWidth_m), 0, 0};
+  return outlines;
+}
+
 }  // namespace
 
 Result<ClothesPass::Variant> ClothesPass::MakeVariant(std::string defines) {
@@ -55,6 +66,7 @@ Result<ClothesPass::Variant> ClothesPass::MakeVariant(std::string defines) {
   Variant v;
   v.paint = program->Find("paint");
   v.fit = program->Find("fit");
+  v.outline = program->Find("outline");
   v.collar = program->Find("collar_px");
   v.neck = program->Find("neck");
   v.program = std::move(*program);
@@ -81,6 +93,8 @@ void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
   gl::Program::Set(variant.neck, glm::vec3(dressing.neck_m, dressing.sinks_m));
   for (const WornGarments& worn : dressing.worn()) {
     gl::Program::Set(variant.fit, glm::vec4(worn.from, worn.to, worn.rise_m, worn.widen_m));
+    const auto outlines = Outlines(worn.outline, dressing.outline);
+    gl::Program::Set(variant.outline, std::span<const glm::vec4>(outlines));
     DrawWorn(appearance, variant, dressing, worn.face);
   }
 }

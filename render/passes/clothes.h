@@ -26,7 +26,7 @@ class ClothesPass {
   // costs more.
   struct Variant {
     gl::Program program;
-    int paint = -1, fit = -1, collar = -1, neck = -1;
+    int paint = -1, fit = -1, outline = -1, collar = -1, neck = -1;
   };
   static Result<Variant> MakeVariant(std::string defines);
   // The clothes of one face, in the program that Draw has set.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 
 namespace kaori::passes {
 namespace {
@@ -20,6 +21,26 @@ constexpr float kSunk_m = 0.32F;
 // A face with less weight than this dresses nobody: one step of 8 bits.
 constexpr float kUndressed = 0.004F;
 
+// Of an edge of cloth, what it adds to the highest points at even steps from the middle; both halves count as one.
+void RaiseAlong(const glm::vec3& a, const glm::vec3& b, float half_width_m,
+                std::array<float, Outline::kSamples>& highest) {
+  for (const float side : {-1.0F, 1.0F}) {
+    const float from = side * a.x, to = side * b.x;
+    for (std::size_t i = 0; i < highest.size(); ++i) {
+      const float at = half_width_m * static_cast<float>(i) / static_cast<float>(highest.size() - 1);
+      if (at < std::min(from, to) || at > std::max(from, to)) continue;
+      const float share = from == to ? 0 : (at - from) / (to - from);
+      highest[i] = std::max(highest[i], a.y + share * (b.y - a.y));
+    }
+  }
+}
+
+void Add(const Outline& outline, float weight, Outline& to) {
+  to.half_width_m += weight * outline.half_width_m;
+  for (std::size_t i = 0; i < to.below_collar_m.size(); ++i)
+    to.below_collar_m[i] += weight * outline.below_collar_m[i];
+}
+
 }  // namespace
 
 face::Terms InOrderOfCast(const face::Terms& faces) {
@@ -35,7 +56,13 @@ face::Terms InOrderOfCast(const face::Terms& faces) {
 float Dressing::reach_m() const {
   if (whole()) return 0;
   float reach = sinks_m;
-  for (const WornGarments& w : worn()) reach = std::max(reach, std::abs(w.rise_m) + std::abs(w.widen_m));
+  for (const WornGarments& w : worn()) {
+    const float wider_m = std::abs(outline.half_width_m - w.outline.half_width_m);
+    float lifted_m = 0;
+    for (std::size_t i = 0; i < w.outline.below_collar_m.size(); ++i)
+      lifted_m = std::max(lifted_m, std::abs(outline.below_collar_m[i] - w.outline.below_collar_m[i]));
+    reach = std::max(reach, std::abs(w.rise_m) + std::abs(w.widen_m) + wider_m + lifted_m);
+  }
   return reach;
 }
 
@@ -44,6 +71,7 @@ Necks::Necks(const face::Cast& cast) {
     Neck neck;
     MeasureEnd(cast.topology, f, neck);
     MeasureCollar(cast, f, neck);
+    MeasureOutline(cast, f, neck);
     necks_.push_back(neck);
   }
 }
@@ -79,6 +107,33 @@ void Necks::MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& 
   }
 }
 
+// The highest point of all edges at each step. Steps that no edge crosses are as the one before.
+void Necks::MeasureOutline(const face::Cast& cast, const face::Face& face, Neck& neck) {
+  Outline& outline = neck.outline;
+  std::vector<const face::Prop*> clothes;
+  for (const int index : face.props) {
+    const face::Prop& prop = cast.props[static_cast<std::size_t>(index)];
+    if (prop.part != face::Part::kClothes) continue;
+    clothes.push_back(&prop);
+    for (const face::PropVertex& v : prop.vertices)
+      outline.half_width_m = std::max(outline.half_width_m, std::abs(v.position.x));
+  }
+  std::array<float, Outline::kSamples> highest{};
+  highest.fill(-std::numeric_limits<float>::infinity());
+  for (const face::Prop* prop : clothes) {
+    for (const face::Triangle& triangle : prop->triangles)
+      for (std::size_t i = 0; i < triangle.size(); ++i)
+        RaiseAlong(prop->vertices[triangle[i]].position,
+                   prop->vertices[triangle[(i + 1) % triangle.size()]].position, outline.half_width_m,
+                   highest);
+  }
+  float below_m = 0;
+  for (std::size_t i = 0; i < highest.size(); ++i) {
+    if (std::isfinite(highest[i])) below_m = neck.collar_m - highest[i];
+    outline.below_collar_m[i] = below_m;
+  }
+}
+
 // A face without clothes either has no neck, and then all sink, or it bares its neck from below.
 Dressing Necks::Dress(const face::Terms& faces) const {
   Dressing d;
@@ -86,6 +141,7 @@ Dressing Necks::Dress(const face::Terms& faces) const {
   float dressed = 0;
   float half_width_m = 0;
   float radius_m = 0;
+  Outline outline;
   for (const face::Term& t : sorted) {
     const Neck& neck = necks_[t.index];
     if (!neck.dressed || t.weight < kUndressed) continue;
@@ -93,11 +149,13 @@ Dressing Necks::Dress(const face::Terms& faces) const {
     d.collar_m += t.weight * neck.collar_m;
     half_width_m += t.weight * neck.half_width_m;
     radius_m += t.weight * neck.end_radius_m;
+    Add(neck.outline, t.weight, outline);
     d.neck_m += t.weight * glm::vec2(neck.end_m.x, neck.end_m.z);
   }
   if (dressed <= 0) return d;
   d.collar_m /= dressed;
   half_width_m /= dressed;
+  Add(outline, 1 / dressed, d.outline);
   d.neck_m /= dressed;
   radius_m = std::max(radius_m / dressed, 1e-4F);
   float bare = 0;
@@ -123,7 +181,8 @@ Dressing Necks::Dress(const face::Terms& faces) const {
                              laid / (dressed + bare),
                              d.collar_m - neck.collar_m,
                              half_width_m - neck.half_width_m,
-                             t.weight / dressed};
+                             t.weight / dressed,
+                             neck.outline};
   }
   // Faces of next to no weight leave no gap at the lower edge.
   if (d.count > 0 && bare < kUndressed) d.garments[d.count - 1].to = 2;

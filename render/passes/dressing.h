@@ -15,6 +15,14 @@ namespace kaori::passes {
 // nothing.
 face::Terms InOrderOfCast(const face::Terms& faces);
 
+// The upper edge of clothes as an audience sees it before the backdrop; both halves are alike. Lengths in metres.
+struct Outline {
+  static constexpr std::size_t kSamples = 16;
+  float half_width_m = 0;
+  // How far it lies below the collar, in even steps from the middle to its end.
+  std::array<float, kSamples> below_collar_m{};
+};
+
 // One face's garments in a frame. Lengths in metres.
 struct WornGarments {
   std::uint16_t face = 0;
@@ -28,6 +36,8 @@ struct WornGarments {
   // Its face's share of those that wear clothes, 0..1: garments that replace each other are of one colour
   // meanwhile.
   float weight = 1;
+  // As they were sewn.
+  Outline outline{};
 };
 
 // All garments of a frame, in the order of their faces in the cast, whatever the order of the fade: a call
@@ -37,6 +47,8 @@ struct Dressing {
   std::size_t count = 0;
   // Where the collars sit. Y.
   float collar_m = 0;
+  // The one that all garments have meanwhile: beyond another's shoulders nothing of them shows.
+  Outline outline{};
   // The neck's axis at its lower end: x, z.
   glm::vec2 neck_m{};
   // As the neck withdraws into a face that has none, clothes sink out of the picture: by so much, 0 or more.
@@ -67,9 +79,11 @@ class Necks {
     // The neck's lower end: its middle, and how far it reaches from there; 0 where the face has no neck.
     glm::vec3 end_m{};
     float end_radius_m = 0;
+    Outline outline{};
   };
   static void MeasureEnd(const face::Topology& topology, const face::Face& face, Neck& neck);
   static void MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& neck);
+  static void MeasureOutline(const face::Cast& cast, const face::Face& face, Neck& neck);
 
   std::vector<Neck> necks_;
 };

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "render/gl/draw_state.h"
 #include "render/passes/dressing.h"
 
@@ -27,10 +29,20 @@ constexpr float kWhole = 0.999F;
 // Hair ends this far beyond its length, so that the tips of whole hair are out of the reach of what shortens
 // it.
 constexpr float kBeyondTips = 1.35F;
+// What is gathered sinks into the head so many times as deep as hard things do, so that all of it goes.
+constexpr float kGatheredSinks = 2;
+// Between the shortest and the longest lock of a cut that grows.
+constexpr float kApart = 0.6F;
 // The order of hair runs from the one to the other.
 constexpr glm::vec3 kCrown_m{0, 0.125F, 0};
 constexpr glm::vec3 kTips_m{0, -0.09F, 0};
 constexpr int kHairDepthsUnit = 0;
+
+// How much of a cut's length is there, where so much of the faces' weight has hair at all. A tuft that is left on a head
+// without hair would look like a horn: the last third goes soon.
+float LengthLeft(float haired) {
+  return haired * glm::smoothstep(0.15F, 0.5F, haired);
+}
 
 template <class Predicate>
 bool AnyHair(const Appearance& appearance, std::size_t face, const Predicate& is) {
@@ -40,20 +52,20 @@ bool AnyHair(const Appearance& appearance, std::size_t face, const Predicate& is
   });
 }
 
-// Of a face's soft hair: its colour, and the height of its lowest tip.
+// Of a face's cut: its colour, and the height of its lowest tip.
 struct HairOf {
   glm::vec3 colour{};
   float lowest_m = 1e9F;
 };
-// The first soft mesh's colour stands for all of them. Without soft hair the lowest tip is far above
-// everything.
+// The first soft mesh is the cut; others are gathered of it. Without soft hair the lowest tip is far above everything.
 HairOf SoftHairOf(const Appearance& appearance, std::size_t face) {
   HairOf hair;
   for (const int index : appearance.worn_by(face)) {
     const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
     if (prop.part != face::Part::kHair || prop.hard) continue;
-    if (hair.lowest_m > 1e8F) hair.colour = prop.paint;
+    hair.colour = prop.paint;
     for (const Slice& slice : prop.slices) hair.lowest_m = std::min(hair.lowest_m, slice.low_m);
+    break;
   }
   return hair;
 }
@@ -184,22 +196,29 @@ void HairPass::DrawBy(const Way& way, const Appearance& appearance, const Hairdo
   }
 }
 
-// Hard things do not shorten: they thin out by their face's presence, and are drawn also where hair has gone.
+HairPass::Extent HairPass::ExtentOf(const PropMesh& prop, const WornHair& worn, bool is_cut) {
+  if (prop.hard) return {{kBeyondTips, 1 - worn.present, 0}, {0, worn.present, 1}};
+  if (is_cut) return {{kBeyondTips * LengthLeft(worn.grown), 0, kApart}, {worn.from, worn.to, 0}};
+  return {{kBeyondTips, kGatheredSinks * (1 - worn.present), 0}, {0, 2, 0}};
+}
+
 void HairPass::DrawWorn(const Variant& variant, Locks locks, const Appearance& appearance,
                         const WornHair& worn, glm::vec2 span_px) {
   variant.program.Use();
   gl::Program::Set(variant.span, span_px);
   gl::Program::Set(variant.motion, std::span<const glm::vec4>(worn.motion));
+  bool has_cut = false;
   for (const int index : appearance.worn_by(worn.face)) {
     const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
-    if (prop.part != face::Part::kHair || (!prop.hard && worn.grown < kHairGone)) continue;
+    if (prop.part != face::Part::kHair) continue;
+    const Extent extent = ExtentOf(prop, worn, !has_cut);
+    has_cut = has_cut || !prop.hard;
+    if (!prop.hard && extent.grown.x < kHairGone) continue;
     const glm::vec3 paint = prop.hard || worn.whole ? prop.paint : worn.own * prop.paint + worn.others;
     gl::Program::Set(variant.paint, paint);
     gl::Program::Set(variant.gleam, paint * GleamOf(paint) + kGleam);
-    gl::Program::Set(variant.grown, glm::vec2(prop.hard ? kBeyondTips : worn.grown * kBeyondTips,
-                                              prop.hard ? 1 - worn.present : 0.0F));
-    gl::Program::Set(variant.part,
-                     prop.hard ? glm::vec3(0, worn.present, 1) : glm::vec3(worn.from, worn.to, 0));
+    gl::Program::Set(variant.grown, extent.grown);
+    gl::Program::Set(variant.part, extent.part);
     if (locks != Locks::kBehind) prop.mesh.Draw();
     if (locks != Locks::kBefore) prop.behind.Draw();
   }

@@ -96,6 +96,14 @@ class HairPass {
   // All that is worn.
   void DrawBy(const Way& way, const Appearance& appearance, const Hairdo& hairdo,
               const FrameBlock& frame) const;
+  // What of a prop is there, as hair.vert and hair.frag want it.
+  struct Extent {
+    glm::vec3 grown{};
+    glm::vec3 part{};
+  };
+  // The cut shares the picture with that of other faces; what is gathered of it (a bun, pigtails) grows from its tie
+  // as its face comes. Hard things do not shorten: they thin out, and are drawn also where hair has gone.
+  static Extent ExtentOf(const PropMesh& prop, const WornHair& worn, bool is_cut);
   // One face's hair, and the hard things that are worn with it. `span_px`: where the order of hair begins,
   // and its length.
   static void DrawWorn(const Variant& variant, Locks locks, const Appearance& appearance,

@@ -10,12 +10,27 @@ out vec3 lit;
 #ifdef CHANGING
 uniform vec4 fit;    // x, y: see clothes.frag; z: rises by, metres; w: widens about the neck by, metres.
 uniform vec3 neck;   // xy: the neck's axis, x and z; z: clothes sink by, metres.
+// In even steps from the middle outwards, metres below the collar, x: of these clothes, y: of all together. Then their half widths.
+uniform vec4 outline[17];
 
+vec2 BelowCollar(vec2 across_m) {
+  vec2 at = min(across_m / outline[16].xy, 1.0) * 15.0;
+  ivec2 step = min(ivec2(at), ivec2(14));
+  vec2 share = at - vec2(step);
+  return vec2(mix(outline[step.x].x, outline[step.x + 1].x, share.x),
+              mix(outline[step.y].y, outline[step.y + 1].y, share.y));
+}
+
+// About the neck clothes keep to it; beyond it all have one outline.
 vec3 Fitted(vec3 p) {
-  p.y += fit.z - neck.z;
   vec2 away = p.xz - neck.xy;
   float from_neck = max(length(away), 1e-4);
-  p.xz += away / from_neck * (fit.w * (1.0 - smoothstep(0.05, 0.14, from_neck)));
+  float beyond = smoothstep(0.05, 0.14, from_neck);
+  float sewn = abs(p.x);
+  p.xz += away / from_neck * (fit.w * (1.0 - beyond));
+  p.x *= mix(1.0, outline[16].y / outline[16].x, beyond);
+  vec2 below = BelowCollar(vec2(sewn, abs(p.x)));
+  p.y += fit.z - neck.z + (below.x - below.y) * smoothstep(0.04, 0.08, from_neck);
   return p;
 }
 #endif

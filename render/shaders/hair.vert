@@ -18,17 +18,18 @@ out vec4 lit;
 #endif
 out vec2 uv;
 #ifdef GROWTH
-uniform vec2 grown;              // x: hair is there up to here, along the lock; y: how far hard things have sunk into the head.
+// x: hair is there up to here, along the lock; y: how far hard things have sunk into the head; z: by how much locks are apart
+// in their length, which together would look like a cap.
+uniform vec3 grown;
 uniform highp vec4 motion[20];   // To the head of the frame, see head_fit.h.
 out float left_of;               // What is left of the lock here: below 0 nothing.
 const vec3 kMiddle = vec3(0.0, 0.03, -0.01);
 const float kWhole = 1.35;       // As kBeyondTips in hair.cpp.
-const float kSpread = 0.6;       // Locks do not shorten together, which would look like a cap.
 
 // How far this lock reaches.
 float Reach() {
   float share = grown.x / kWhole;
-  return kWhole * clamp(share * (1.0 + kSpread) - kSpread * lock.w, 0.0, 1.0);
+  return kWhole * clamp(share * (1.0 + grown.z) - grown.z * lock.w, 0.0, 1.0);
 }
 
 // Hair that has not its whole length lies down towards its end, and at last sinks into the scalp. In between it stands off

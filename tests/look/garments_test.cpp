@@ -141,6 +141,49 @@ int WidestRow_px(const Pixels& pixels) {
   return static_cast<int>(widest);
 }
 
+// How far clothes of all faces draw back below a place where they were wider, at most over both sides: shoulders only get wider.
+int Notch_px(const Pixels& pixels) {
+  int notch_px = 0;
+  for (const bool left : {false, true}) {
+    int widest_px = 0;
+    // The picture's rows come from below.
+    for (int row = kHeight_px - 1; row >= 0; --row) {
+      int out_px = 0;
+      for (int i = 0; i < kWidth_px / 2; ++i) {
+        const int column = left ? kWidth_px / 2 - 1 - i : kWidth_px / 2 + i;
+        if (pixels[static_cast<std::size_t>(row * kWidth_px + column)]) out_px = i + 1;
+      }
+      widest_px = std::max(widest_px, out_px);
+      if (out_px > 0) notch_px = std::max(notch_px, widest_px - out_px);
+    }
+  }
+  return notch_px;
+}
+
+// morph_shoulder_notch_px: over all pairs at 25, 50 and 75 %, beyond what either of the two has by itself.
+TEST_F(Garments, OfOneFaceDoNotStandOffTheShouldersOfAnother) {
+  const auto notch_px = [](std::uint16_t a, std::uint16_t b, float share) {
+    const scene::Scene scene = Sharing(a, b, share);
+    const Bytes black = Draw(*black_, scene);
+    Pixels of_both = Contributed(a, scene, black);
+    const Pixels of_b = Contributed(b, scene, black);
+    for (std::size_t i = 0; i < of_both.size(); ++i) of_both[i] = of_both[i] || of_b[i];
+    return Notch_px(of_both);
+  };
+  int worst_px = 0;
+  for (std::uint16_t a = 0; a < FaceCount(); ++a) {
+    for (std::uint16_t b = a + 1; b < FaceCount(); ++b) {
+      const int own_px = std::max(notch_px(a, b, 0), notch_px(a, b, 1));
+      for (const float share : {0.25F, 0.5F, 0.75F}) {
+        const int more_px = notch_px(a, b, share) - own_px;
+        EXPECT_LE(more_px, 2) << NameOf(a) << " and " << NameOf(b) << " at " << share;
+        worst_px = std::max(worst_px, more_px);
+      }
+    }
+  }
+  tests::Report("morph_shoulder_notch_px", worst_px);
+}
+
 TEST_F(Garments, SinkWithoutGettingSmallWhereAFaceHasNoNeck) {
   const auto kettle = static_cast<std::uint16_t>(
       std::ranges::find(cast_->faces, "kettle", &face::Face::name) - cast_->faces.begin());

@@ -28,14 +28,20 @@ std::array<int, 3> AddMouth(face::Cast& cast) {
   return {AddProp(cast, CarveUpperTeeth()), AddProp(cast, CarveLowerTeeth()), AddProp(cast, CarveTongue())};
 }
 
-// Hair and what is gathered of it are one prop, so they swing alike.
+// What is gathered of the hair is a prop of its own, so that it grows from its tie while faces cross-fade.
 void AddHair(face::Cast& cast, const HairLook& look, face::Face& face) {
   if (look.cut == "none") return;
-  ClothMesh mesh;
-  look.cut == "bob" ? CutBob(mesh, look) : CutSwept(mesh, look);
-  AddBundles(mesh, look.bundles);
-  face.props.push_back(
-      AddProp(cast, std::move(mesh).Finish(face.name + ".hair", face::Part::kHair, look.colour)));
+  const auto add = [&](ClothMesh mesh, const char* name) {
+    face.props.push_back(
+        AddProp(cast, std::move(mesh).Finish(face.name + name, face::Part::kHair, look.colour)));
+  };
+  ClothMesh cut;
+  look.cut == "bob" ? CutBob(cut, look) : CutSwept(cut, look);
+  add(std::move(cut), ".hair");
+  if (look.bundles.empty()) return;
+  ClothMesh gathered;
+  AddBundles(gathered, look.bundles);
+  add(std::move(gathered), ".gathered");
 }
 
 // Drawn with the hair: it turns with the head, and a face without hair is without it.

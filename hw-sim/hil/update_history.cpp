@@ -1,0 +1,106 @@
+#include "hw-sim/hil/update_history.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/process.h"
+
+namespace kaori::hil {
+namespace {
+
+bool Meets(const LoggedWrite& write, const DiskSpan& span) {
+  return write.at_bytes < span.at_bytes + span.bytes && span.at_bytes < write.at_bytes + write.bytes;
+}
+
+Result<void> CopySparse(const std::string& from, const std::string& to, const std::string& log) {
+  return RunToEnd({"cp", "--sparse=always", from, to}, log);
+}
+
+}  // namespace
+
+Result<UpdateHistory> UpdateHistory::Begin(Scene& scene, const UpdatedPc& pc) {
+  UpdateHistory history(scene.target.machine().options().folder + "/update-history");
+  std::filesystem::remove_all(history.folder_);
+  std::filesystem::create_directories(history.folder_);
+  if (auto ok = CopySparse(pc.Disk(), history.Disk(), history.folder_ + "/cp.log"); !ok)
+    return tl::unexpected(ok.error());
+  return history;
+}
+
+UpdateHistory::UpdateHistory(UpdateHistory&& other) noexcept
+    : folder_(std::exchange(other.folder_, {})),
+      starts_(std::move(other.starts_)),
+      replayed_(other.replayed_) {}
+
+UpdateHistory::~UpdateHistory() {
+  std::error_code none;
+  if (!folder_.empty()) std::filesystem::remove_all(folder_, none);
+}
+
+std::string UpdateHistory::Name(std::size_t start, const char* what) const {
+  return fmt::format("{}/{}.{}", folder_, start, what);
+}
+
+Result<void> UpdateHistory::Add(const UpdatedPc& pc) {
+  const std::string log = Name(starts_.size(), "log"), kept = Name(starts_.size(), "variables");
+  std::error_code failed;
+  std::filesystem::rename(pc.DiskLog(), log, failed);
+  if (!failed) std::filesystem::copy_file(pc.Variables(), kept, failed);
+  if (failed) return Fail(std::errc::io_error, "keep what a start wrote");
+  auto start = WriteLog::Read(log);
+  if (!start) return tl::unexpected(start.error());
+  starts_.push_back(std::move(*start));
+  return {};
+}
+
+std::size_t UpdateHistory::entries() const {
+  return std::transform_reduce(starts_.begin(), starts_.end(), std::size_t{0}, std::plus(),
+                               [](const WriteLog& start) { return start.entries().size(); });
+}
+
+std::size_t UpdateHistory::FirstInto(const DiskSpan& span) const {
+  std::size_t before = 0;
+  for (const WriteLog& start : starts_) {
+    const auto& entries = start.entries();
+    const auto found = std::ranges::find_if(entries, [&](const auto& write) { return Meets(write, span); });
+    before += static_cast<std::size_t>(found - entries.begin());
+    if (found != entries.end()) break;
+  }
+  return before;
+}
+
+std::uint64_t UpdateHistory::SectorsOutside(const std::vector<DiskSpan>& spans) const {
+  return std::transform_reduce(starts_.begin(), starts_.end(), std::uint64_t{0}, std::plus(),
+                               [&](const WriteLog& start) { return start.SectorsOutside(spans); });
+}
+
+// A whole copy of a disk for each cut would cost more than the cut: only what came since the last one is written.
+Result<void> UpdateHistory::CutAfter(std::size_t entries, const UpdatedPc& pc) {
+  if (entries < replayed_) return FailInput("a cut before the last one");
+  std::size_t first = 0, start = 0;
+  for (; start < starts_.size(); ++start) {
+    const std::size_t count = starts_[start].entries().size();
+    const std::size_t from = std::max(replayed_, first), until = std::min(entries, first + count);
+    if (from < until)
+      if (auto ok = starts_[start].Replay(from - first, until - first, Disk()); !ok) return ok;
+    if (entries <= first + count) break;
+    first += count;
+  }
+  replayed_ = entries;
+  if (start == 0) {
+    if (auto ok = pc.ForgetVariables(); !ok) return ok;
+  } else {
+    std::error_code failed;
+    std::filesystem::copy_file(Name(std::min(start, starts_.size() - 1), "variables"), pc.Variables(),
+                               std::filesystem::copy_options::overwrite_existing, failed);
+    if (failed) return Fail(std::errc::io_error, "write " + pc.Variables());
+  }
+  return CopySparse(Disk(), pc.Disk(), folder_ + "/cp.log");
+}
+
+}  // namespace kaori::hil
