@@ -16,6 +16,11 @@ const SETTLE_NS = 100_000;
 const ROM_FUNCTIONS = ["IF", "EX", "RE", "RP", "FC", "CX", "UB"];
 const ERASE_NS = 45_000_000, PROGRAM_NS = 700_000;  // A sector and a page of a W25Q16, typically.
 
+// What a chip says of its making: the register CHIP_ID (2.20.2), and the version of its ROM (2.8.3). The emulator itself says B1.
+const STEPPINGS = {
+  B0: { chipId: 0x10002927, rom: 1 }, B1: { chipId: 0x10002927, rom: 2 }, B2: { chipId: 0x20002927, rom: 3 },
+};
+
 // CRC-32 as the ROM counts it: highest bit first, begun with ones, not inverted.
 export function romChecksum(bytes) {
   let sum = 0xffffffff;
@@ -27,11 +32,12 @@ export function romChecksum(bytes) {
 }
 
 export class Chip {
-  constructor(rp2040js, flash, { uniqueId = [1, 2, 3, 4, 5, 6, 7, 8] } = {}) {
+  constructor(rp2040js, flash, { uniqueId = [1, 2, 3, 4, 5, 6, 7, 8], stepping = "B2" } = {}) {
     this.rp2040js = rp2040js;
     this.flash = new Uint8Array(2 * 1024 * 1024).fill(0xff);
     this.flash.set(flash);
     this.uniqueId = uniqueId;
+    this.stepping = STEPPINGS[stepping];
     this.switches = 0;  // Bit n: switch n is closed.
     this.lamps = 0;     // As the 74HC595 put them out.
     this.codes = new Array(8).fill(2047);  // Of the stick's converter, an MCP3208.
@@ -63,6 +69,7 @@ export class Chip {
       watchdog.timer.enable = false;
     };
     this.#makeRom();
+    this.#wireStepping();
     this.#wireFlash();
     this.#wireShiftRegisters();
     this.#wireConverter();
@@ -80,6 +87,7 @@ export class Chip {
   #makeRom() {
     const rom = new DataView(this.mcu.bootrom.buffer);
     const table = 0x100, code = 0x200;
+    rom.setUint8(0x13, this.stepping.rom);
     rom.setUint16(0x14, table, true);
     ROM_FUNCTIONS.forEach((name, n) => {
       rom.setUint16(table + 4 * n, name.charCodeAt(0) | (name.charCodeAt(1) << 8), true);
@@ -88,6 +96,11 @@ export class Chip {
       rom.setUint16(code + 4 * n + 2, 0x4770, true);      // BX LR
     });
     this.mcu.onBreak = (n) => this.#romCall(ROM_FUNCTIONS[n]);
+  }
+
+  #wireStepping() {
+    const sysinfo = this.mcu.peripherals[0x40000], read = sysinfo.readUint32.bind(sysinfo);
+    sysinfo.readUint32 = (offset) => (offset === 0 ? this.stepping.chipId : read(offset));
   }
 
   #romCall(name) {

@@ -49,7 +49,7 @@ const i16 = (bytes, at) => (u16(bytes, at) << 16) >> 16;
 const u32 = (bytes, at) => (u16(bytes, at) | (u16(bytes, at + 2) << 16)) >>> 0;
 const status = (chip) => chip.control(0xa1, 1, 0x0300, 0, 64);
 const doubleSteps = (chip) => u32(status(chip), 16);
-const STATE = { plays: 0, updates: 1, tries: 2, ready: 3 };
+const STATE = { plays: 0, updates: 1, tries: 2, ready: 3, refuses: 4 };
 const state = (chip) => status(chip)[11];
 // What a host hears of the dials until nothing comes any more.
 function drain(chip, sums = new Array(8).fill(0)) {
@@ -264,6 +264,35 @@ test("the stick pod's axes, hat and buttons are seen in its reports, and at rest
   pod.codes = [2047, 2047, 2047, 0];
   pod.switches = 0;
   expect("let go", settle(), [0, 0, 0, 0, 0, 0, 0, 0, 0x0f, 0]);
+});
+
+test("a chip older than B2 refuses to play, and says so by its name, its feature report and its lamps", () => {
+  const old = new Chip(rp2040js, shipped, { stepping: "B0" });
+  old.enumerate();
+  expect("state and stepping of a B0", [state(old), status(old)[28]], [STATE.refuses, 1]);
+  const chip = new Chip(rp2040js, shipped, { stepping: "B1" });
+  chip.enumerate();
+  const name = chip.control(0x80, 6, 0x0302, 0x0409, 255).slice(2).filter((letter) => letter);
+  expect("name", String.fromCharCode(...name), "RP2040 older than B2: refused");
+  expect("its report descriptor has no input", chip.control(0x81, 6, 0x2200, 0, 1024).slice(0, 5), [0x06, 0, 0xff, 0x09, 0x42]);
+  expect("state and stepping of a B1", [state(chip), status(chip)[28]], [STATE.refuses, 2]);
+  expect("an update", update(chip, describe(shippedImage, 0x10001), shippedImage), "begin refused");
+  chip.push(3);
+  chip.turn(1, 40);
+  expect("no report", chip.armed["1in"], undefined);
+  const seen = new Set();
+  for (let n = 0; n < 11; ++n) chip.run(100 * MS), seen.add(chip.lamps);
+  expect("lamps in turn", [...seen].sort((one, other) => one - other), [0x55555555, 0xaaaaaaaa]);
+  expect("it was not restarted meanwhile", chip.boots, 1);
+  command(chip, RESTART);
+  chip.run(200 * MS);
+  expect("it restarts where it is told to", chip.boots, 2);
+  const pod = new Chip(rp2040js, readFileSync(path.join(images, "stick-pod.bin")), { stepping: "B1" });
+  pod.enumerate();
+  pod.codes = [4095, 0, 0, 4095];
+  pod.run(50 * MS);
+  expect("a pod", [state(pod), pod.poll()], [STATE.refuses, null]);
+  expect("a chip that is fit says what it is", status(start())[28], 3);
 });
 
 test("without an image it waits for one on USB", () => {

@@ -155,7 +155,9 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
   if (!layout) return Skip(port, decode::DeviceKind::kOther, layout.error().message());
   const bool has_map = MapFor(maps_, (*device)->identity().vendor, (*device)->identity().product) != nullptr;
   const decode::DeviceKind kind = has_map ? decode::DeviceKind::kSurface : decode::Recognise(*layout);
-  if (kind == decode::DeviceKind::kOther) return Skip(port, kind, "the device is not one that the show uses");
+  if (kind == decode::DeviceKind::kOther)
+    return Skip(port, kind,
+                Printable((*device)->identity().name) + ": the device is not one that the show uses");
   Binding* binding = BindingFor(kind, port);
   if (binding == nullptr)
     return Skip(port, kind, "the slot for this kind of device is occupied; the device is a spare");

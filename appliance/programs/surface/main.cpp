@@ -53,8 +53,8 @@ struct Settings {
 };
 
 // The end of a sentence that begins with "it". Newer firmware may be in a state that is not of this list.
-const char* Words(kaori::wire::SurfaceState state) {
-  switch (state) {
+std::string Words(const kaori::wire::SurfaceStatus& status) {
+  switch (status.state) {
     case kaori::wire::SurfaceState::kPlays:
       return "plays";
     case kaori::wire::SurfaceState::kUpdates:
@@ -63,11 +63,13 @@ const char* Words(kaori::wire::SurfaceState state) {
       return "tries an image that is not confirmed";
     case kaori::wire::SurfaceState::kReady:
       return "has a new image, and waits for its restart";
+    case kaori::wire::SurfaceState::kRefuses:
+      return kaori::surface_update::RefusalWords(status);
   }
   return "is in a state that this program does not know";
 }
 
-// Prints a line for each surface, and returns how many of them are dial boxes.
+// Prints a line for each surface, and returns how many of them are dial boxes that play.
 int List(kaori::ports::HidBus& bus) {
   int dial_boxes = 0;
   for (const std::string& port : bus.Ports().value_or(std::vector<std::string>{})) {
@@ -76,12 +78,12 @@ int List(kaori::ports::HidBus& bus) {
     const std::uint32_t product = kaori::surface_update::ProductOf((*channel)->identity());
     if (product != kaori::surface_update::kDialBoxImage && product != kaori::surface_update::kStickPodImage)
       continue;
-    dial_boxes += product == kaori::surface_update::kDialBoxImage ? 1 : 0;
     const auto status = kaori::surface_update::ReadStatus(**channel);
+    dial_boxes += kaori::surface_update::IsPlayingDialBox((*channel)->identity(), status) ? 1 : 0;
     if (status)
       fmt::print("{}: {}, version {}.{}, serial number {:08x}, double steps {}; it {}\n", port,
                  (*channel)->identity().name, status->firmware_major, status->firmware_minor, status->serial,
-                 status->double_steps, Words(status->state));
+                 status->double_steps, Words(*status));
     else
       fmt::print("{}: {}\n", port, status.error().message());
   }
