@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "appliance/programs/surface/surface_command.h"
 #include "drivers/base/read_file.h"
 #include "firmware/wire/dial_box.h"
 
@@ -111,8 +112,7 @@ bool SurfaceUpdate::HasChannel() {
   return channel_ != nullptr;
 }
 
-// One feature report a command, behind the byte for the report's id. `data` has at most
-// wire::kSurfaceDataBytes; what it leaves free is 0.
+// `data` has at most wire::kSurfaceDataBytes; what it leaves free is 0.
 Result<void> SurfaceUpdate::Command(SurfaceOperation operation, std::span<const std::uint8_t> data,
                                     std::uint32_t offset) {
   wire::SurfaceCommand command{.operation = operation,
@@ -120,9 +120,7 @@ Result<void> SurfaceUpdate::Command(SurfaceOperation operation, std::span<const 
                                .offset = offset,
                                .data = {}};
   std::ranges::copy(data, command.data.begin());
-  std::array<std::uint8_t, 1 + wire::kSurfaceFeatureBytes> report{};
-  std::ranges::copy(wire::Encode(command), report.begin() + 1);
-  return channel_->SetFeature(report);
+  return surface_update::Send(*channel_, command);
 }
 
 // A surface that went away, or lost its place, is begun with anew; one that refuses from the beginning is

@@ -82,6 +82,9 @@ class Box final : public ports::HidBus {
     return firmware_.has_value() && !(version == deadly_version && deadly_after == Duration::zero());
   }
 
+  // What its lamps show at one tick.
+  std::uint32_t lamps_now() { return firmware_->Tick(0); }
+
   int pollable() const override { return -1; }
   Result<std::vector<std::string>> Ports() override {
     return answers() ? std::vector<std::string>{"1-4.1"} : std::vector<std::string>{};
