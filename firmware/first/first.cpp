@@ -16,8 +16,9 @@ namespace {
 // Images are linked for the beginning of RAM and begin with their vector table: the stack pointer, then the
 // entry.
 constexpr std::uint32_t kImageInRam = 0x20000000;
-// The first stage's own code begins above.
-constexpr std::uint32_t kRoomForImage = 0x3C000;
+// Where the first stage's own code begins (first.ld): an image that reaches so far would be no slot's choice.
+constexpr std::uint32_t kFirstStageInRam = 0x2003C000;
+static_assert(kImageInRam + surface::kMostImageBytes <= kFirstStageInRam);
 // An image that does not come so far as to feed the watchdog itself uses up a try, and the other slot's turn
 // comes.
 constexpr std::uint32_t kImageFeedsWithinMs = 8000;
@@ -38,14 +39,13 @@ constexpr std::uint32_t kImageFeedsWithinMs = 8000;
 // The vector table that all programs share names it; here the timer never runs.
 void Look() {}
 
-// A header's length is looked at before anything is copied: a slot that was damaged must not write over this
-// code. The slot's number outlives the jump in a register of the watchdog, where the image finds it.
+// A header whose length is beyond the room is none (ReadHeader), so that nothing writes over this code. The slot's number outlives the jump in a register of the watchdog, where the image finds it.
 void Main() {
   RomFlash flash;
   const auto slot = surface::Choose(flash);
   const auto header = slot ? surface::ReadHeader(flash, *slot) : std::nullopt;
   // Nothing that could be started: any computer can bring an image.
-  if (!header || header->image.length > kRoomForImage) StartRomLoader();
+  if (!header) StartRomLoader();
   Watch(kImageFeedsWithinMs);
   TellSlot(static_cast<std::uint32_t>(*slot));
   Start(surface::Image(flash, *slot, header->image));

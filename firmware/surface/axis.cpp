@@ -8,8 +8,10 @@ namespace {
 // What a report says at the end of the way.
 constexpr std::int32_t kAxisFull = 32767;
 constexpr std::int32_t kSliderFull = 65535;
-// In units of a report: what noise of the converter is left after the filter moves a value by less.
+// In units of a report, of which a code of the converter's 12 bits has 16. While a control moves, steps of four are told.
 constexpr std::int32_t kLeastMove = 4;
+// Noise of half a code (rms) moves a filtered value by less than this.
+constexpr std::int32_t kLeastFromRest = 20;
 // An axis with less way than this to one side (of 16380) is broken, or was never moved.
 constexpr std::uint16_t kLeastWay = 1000;
 // One hundredth of the way is where the stick rests, and another is taken from each end that was taught.
@@ -66,11 +68,21 @@ std::uint16_t SliderValue(std::uint32_t value_q4, const AxisEnds& ends) {
   return static_cast<std::uint16_t>(std::int64_t{at} * kSliderFull / way);
 }
 
-// Small moves are noise, but the middle and both ends are always said: a stick that is let go must read 0.
-bool HasMoved(std::int32_t said, std::int32_t now, std::int32_t low, std::int32_t high) {
-  if (said == now) return false;
-  const std::int32_t by = now < said ? said - now : now - said;
-  return by >= kLeastMove || now == 0 || now == low || now == high;
+// Noise is within kLeastFromRest of where the control was last seen to move, so that it comes to rest there. The middle
+// and both ends are always told: a stick that is let go must read 0.
+bool AxisGate::Accept(std::int32_t now, std::int32_t low, std::int32_t high) {
+  const auto distance = [now](std::int32_t from) { return now < from ? from - now : now - from; };
+  if (distance(moved_to_) >= kLeastFromRest) {
+    moved_to_ = now;
+    still_ = 0;
+  } else if (still_ < kValuesToRest) {
+    ++still_;
+  }
+  const bool is_mark = now != told_ && (now == 0 || now == low || now == high);
+  const bool moves = still_ < kValuesToRest && distance(told_) >= kLeastMove;
+  if (!is_mark && !moves) return false;
+  told_ = now;
+  return true;
 }
 
 AxisTeacher::AxisTeacher(std::uint32_t rest_q4) : centre_(Whole(rest_q4)), low_(centre_), high_(centre_) {}

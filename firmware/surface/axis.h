@@ -41,8 +41,23 @@ std::int16_t AxisValue(std::uint32_t value_q4, const AxisEnds& ends);
 // 0 to 65535 from one end to the other; it has no centre.
 std::uint16_t SliderValue(std::uint32_t value_q4, const AxisEnds& ends);
 
-// Whether a control has moved: by 4 of 65536 at least, or onto 0 or an end. What trembles by less is at rest.
-bool HasMoved(std::int32_t said, std::int32_t now, std::int32_t low, std::int32_t high);
+// Which values of a control are worth a report. While it moves each step of 4 of 65536 is, so that a slow turn is as fine
+// as the filter. It rests when 20 values in a row, which are 20 ms, have stayed within 20 of 65536; then it is silent, noise
+// of its converter too, until it has gone so far. One side.
+class AxisGate {
+ public:
+  static constexpr std::uint8_t kValuesToRest = 20;
+
+  // The next value, from `low` to `high`. True: it is told.
+  bool Accept(std::int32_t now, std::int32_t low, std::int32_t high);
+  // The value that was told last; 0 before the first.
+  std::int32_t told() const { return told_; }
+
+ private:
+  std::int32_t told_ = 0;
+  std::int32_t moved_to_ = 0;
+  std::uint8_t still_ = kValuesToRest;
+};
 
 // Learns the ends of an axis that a person moves from stop to stop, beginning at rest. One side.
 class AxisTeacher {

@@ -14,7 +14,8 @@ wire::SurfaceStatus Service::Status(std::uint32_t double_steps) const {
           .state = updater_ != nullptr ? updater_->state() : wire::SurfaceState::kPlays,
           .bytes_taken = updater_ != nullptr ? updater_->bytes_taken() : 0,
           .double_steps = double_steps,
-          .chip_id = unit_.chip_id};
+          .chip_id = unit_.chip_id,
+          .stepping = unit_.stepping};
 }
 
 // Every argument is looked at before anything changes. A restart only sets a flag: the answer to this very

@@ -17,6 +17,7 @@ struct Unit {
   std::uint16_t counts_per_turn = 0;
   std::uint8_t hardware = 0;
   std::array<std::uint8_t, 8> chip_id{};
+  wire::ChipStepping stepping = wire::ChipStepping::kUntold;
 };
 
 // One side.

@@ -90,7 +90,7 @@ std::span<const std::uint8_t> Image(const Flash& flash, Slot slot, const wire::S
   return flash.Read(ImageAt(slot), image.length);
 }
 
-// Reads the whole image, 252 KiB at most. The first stage does so at each start.
+// Reads the whole image, 240 KiB at most. The first stage does so at each start.
 bool HasItsHash(const Flash& flash, Slot slot, const wire::SurfaceImage& image) {
   return Sha256Of(Image(flash, slot, image)) == image.sha256;
 }

@@ -21,7 +21,9 @@ namespace kaori::surface {
 enum class Slot : std::uint8_t { kA, kB };
 
 inline constexpr unsigned kTries = 3;
-inline constexpr std::uint32_t kMostImageBytes = kSlotBytes - kSectorBytes;
+// What RAM has room for below the code of the first stage, which copies an image there; a slot has room for more.
+inline constexpr std::uint32_t kMostImageBytes = 0x3C000;
+static_assert(kMostImageBytes <= kSlotBytes - kSectorBytes);
 
 struct SlotHeader {
   std::uint32_t generation = 0;  // The newer image has the higher one.

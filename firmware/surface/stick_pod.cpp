@@ -70,19 +70,16 @@ std::int32_t StickPod::Value(std::size_t axis) const {
 // Values that move by no more than noise are not followed, or a stick that nobody touches would send reports.
 void StickPod::Follow() {
   for (std::size_t n = 0; n < kAxes; ++n) {
-    const std::int32_t now = Value(n);
     const std::int32_t low = n == kSlider ? 0 : -kAxisEnd;
-    if (!HasMoved(values_[n], now, low, n == kSlider ? kSliderEnd : kAxisEnd)) continue;
-    values_[n] = now;
-    has_moved_ = true;
+    has_moved_ |= gates_[n].Accept(Value(n), low, n == kSlider ? kSliderEnd : kAxisEnd);
   }
 }
 
 wire::StickPodReport StickPod::Report(std::uint32_t pressed) const {
-  return {.x = static_cast<std::int16_t>(values_[kX]),
-          .y = static_cast<std::int16_t>(values_[kY]),
-          .twist = static_cast<std::int16_t>(values_[kTwist]),
-          .slider = static_cast<std::uint16_t>(values_[kSlider]),
+  return {.x = static_cast<std::int16_t>(gates_[kX].told()),
+          .y = static_cast<std::int16_t>(gates_[kY].told()),
+          .twist = static_cast<std::int16_t>(gates_[kTwist].told()),
+          .slider = static_cast<std::uint16_t>(gates_[kSlider].told()),
           .hat = kHats[pressed >> kHatShift & 0xFU],
           .buttons_down = static_cast<std::uint16_t>(pressed & kButtonMask)};
 }
@@ -147,7 +144,7 @@ std::size_t StickPod::NextInput(std::span<std::uint8_t> into) {
 void StickPod::SetHost(Host host) {
   if (host == Host::kThere && host_ == Host::kGone) {
     log_.Restart();
-    has_moved_ |= std::ranges::any_of(values_, [](std::int32_t value) { return value != 0; });
+    has_moved_ |= std::ranges::any_of(gates_, [](const AxisGate& gate) { return gate.told() != 0; });
   }
   host_ = host;
 }

@@ -57,7 +57,7 @@ class StickPod final : public HidFunction {
   ButtonLog log_;
   std::array<AxisFilter, kAxes> filters_{};
   std::array<AxisEnds, kAxes> ends_{};
-  std::array<std::int32_t, kAxes> values_{};  // As the next report says them.
+  std::array<AxisGate, kAxes> gates_{};  // With the values that the next report says.
   std::optional<std::array<AxisTeacher, kAxes>> teachers_;
   bool has_moved_ = false;
   Host host_ = Host::kGone;

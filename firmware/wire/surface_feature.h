@@ -12,7 +12,8 @@
 //     12  u32    bytes of an update that were taken          12  u32     bytes of the image
 //     16  u32    double steps since the power came           16  u32     version: major * 65536 + minor
 //     20  u8[8]  the chip's id                               20  u8[32]  SHA-256 of the image
-//     28         0
+//     28  u8     the chip's stepping
+//     29         0
 //
 // What the device refuses it answers with a STALL: an operation that it does not know, an image of another
 // product, too long or too old, data out of order, a wrong hash. Numbers are little-endian. HID 1.11, 7.2.1
@@ -38,6 +39,15 @@ enum class SurfaceState : std::uint8_t {
   kUpdates = 1,  // An image is on its way.
   kTries = 2,    // It plays from an image that nobody has confirmed by kKeep yet.
   kReady = 3,    // A new image is whole; kRestart starts it.
+  kRefuses = 4,  // Its chip is older than the firmware bears: it plays nothing, and takes no update.
+};
+
+// Which making of the chip it is. Of an RP2040, B2 is the first that connects to USB on a busy hub (RP2040-E5).
+enum class ChipStepping : std::uint8_t {
+  kUntold = 0,  // Firmware before this field, or a surface without a chip.
+  kB0 = 1,
+  kB1 = 2,
+  kB2 = 3,  // Or a later one.
 };
 
 enum class SurfaceOperation : std::uint8_t {
@@ -63,7 +73,22 @@ struct SurfaceStatus {
   std::uint32_t bytes_taken = 0;
   std::uint32_t double_steps = 0;
   std::array<std::uint8_t, 8> chip_id{};
+  ChipStepping stepping = ChipStepping::kUntold;
 };
+
+// The report descriptor of a surface that refuses to play: the feature report alone, so that no driver takes it
+// for a dial box or a stick.
+inline constexpr auto kRefusalDescriptor = std::to_array<std::uint8_t>({
+    0x06, 0x00, 0xFF,        // Usage page: vendor FF00
+    0x09, 0x42,              // Usage: vendor 42, a surface that refuses
+    0xA1, 0x01,              // Collection: Application
+    0x09, 0x41,              //   Usage: vendor 41, the feature report
+    0x15, 0x00,              //   Logical 0..
+    0x26, 0xFF, 0x00,        //   255
+    0x75, 0x08, 0x95, 0x40,  //   64 x 8 bits
+    0xB1, 0x02,              //   Feature: data, variable, absolute
+    0xC0,                    // End collection
+});
 
 // Answers GET_REPORT.
 constexpr std::array<std::uint8_t, kSurfaceFeatureBytes> Encode(const SurfaceStatus& status) {
@@ -77,6 +102,7 @@ constexpr std::array<std::uint8_t, kSurfaceFeatureBytes> Encode(const SurfaceSta
   PutU32(bytes, 12, status.bytes_taken);
   PutU32(bytes, 16, status.double_steps);
   std::ranges::copy(status.chip_id, bytes.begin() + 20);
+  bytes[28] = static_cast<std::uint8_t>(status.stepping);
   return bytes;
 }
 
@@ -91,6 +117,7 @@ constexpr SurfaceStatus DecodeSurfaceStatus(std::span<const std::uint8_t, kSurfa
                        .bytes_taken = GetU32(bytes, 12),
                        .double_steps = GetU32(bytes, 16)};
   std::ranges::copy(bytes.subspan<20, 8>(), status.chip_id.begin());
+  status.stepping = static_cast<ChipStepping>(bytes[28]);
   return status;
 }
 

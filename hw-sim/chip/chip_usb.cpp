@@ -180,4 +180,11 @@ void ChipUsb::Release(int button) {
   Send('R', std::array{static_cast<std::uint8_t>(button)});
 }
 
+void ChipUsb::Move(int axis, std::uint16_t code) {
+  UsbBytes bytes(3);
+  bytes[0] = static_cast<std::uint8_t>(axis);
+  wire::PutU16(bytes, 1, code);
+  Send('X', bytes);
+}
+
 }  // namespace kaori::sim

@@ -11,7 +11,7 @@
 
 namespace kaori::sim {
 
-// A dial and button box whose every answer is its chip's: nothing is known of it here but what it says of itself. Its chip
+// A dial and button box, or a stick pod, whose every answer is its chip's: nothing is known of it here but what it says of itself. Its chip
 // keeps the time of the wall, or is slower. Answer waits for the chip, ten seconds at most, and the caller's other devices
 // stand still meanwhile: some milliseconds on a quiet machine. A chip that is gone stalls and is silent. One thread.
 class ChipUsb final : public UsbDevice {
@@ -25,6 +25,8 @@ class ChipUsb final : public UsbDevice {
   void Turn(int dial, std::int32_t counts, std::uint32_t edges_per_s = 1000);
   void Push(int button);
   void Release(int button);
+  // An axis of a pod, 0 to 3: to the right, towards the operator, clockwise, the slider upwards. A code of its converter, 0 to 4095.
+  void Move(int axis, std::uint16_t code);
   // Bit n: lamp n is lit, as its shift registers put it out. As of the last report or answer.
   std::uint32_t lamps() const { return lamps_; }
   // How often its watchdog started it.

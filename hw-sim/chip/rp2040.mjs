@@ -1,11 +1,13 @@
 // A control surface's chip, emulated: the image as it is shipped runs in rp2040js, instruction by instruction. Around it stand
-// what the emulator has not: a ROM whose functions work on the flash, the shift registers, the operator's switches, and a USB
-// host that polls when it likes.
+// what the emulator has not: a ROM whose functions work on the flash, the parts of the board (parts.mjs), the operator's
+// switches, and a USB host that polls when it likes.
 //
 //   const chip = new Chip(await import("rp2040js"), flashBytes);
 //   chip.enumerate(); chip.turn(0, 64); chip.poll();
 //
 // Time is the chip's own, in nanoseconds; nothing here waits for a clock on a wall.
+
+import { STEPPINGS, wireParts } from "./parts.mjs";
 
 const RAM_STAGE2 = 0x20041f00;  // Where the ROM copies the first 256 bytes of the flash to (RP2040 datasheet, 2.8.1.3).
 const RAM_END = 0x20042000;
@@ -27,11 +29,13 @@ export function romChecksum(bytes) {
 }
 
 export class Chip {
-  constructor(rp2040js, flash, { uniqueId = [1, 2, 3, 4, 5, 6, 7, 8] } = {}) {
+  constructor(rp2040js, flash, { uniqueId = [1, 2, 3, 4, 5, 6, 7, 8], stepping = "B2", registers = 4 } = {}) {
     this.rp2040js = rp2040js;
     this.flash = new Uint8Array(2 * 1024 * 1024).fill(0xff);
     this.flash.set(flash);
     this.uniqueId = uniqueId;
+    this.stepping = STEPPINGS[stepping];
+    this.registers = registers;  // 74HC165, each with eight switches.
     this.switches = 0;  // Bit n: switch n is closed.
     this.lamps = 0;     // As the 74HC595 put them out.
     this.codes = new Array(8).fill(2047);  // Of the stick's converter, an MCP3208.
@@ -63,9 +67,7 @@ export class Chip {
       watchdog.timer.enable = false;
     };
     this.#makeRom();
-    this.#wireFlash();
-    this.#wireShiftRegisters();
-    this.#wireConverter();
+    wireParts(this);
     this.#wireUsb();
     this.#showDials();
     const stage2 = this.mcu.flash.slice(0, 256);
@@ -80,6 +82,7 @@ export class Chip {
   #makeRom() {
     const rom = new DataView(this.mcu.bootrom.buffer);
     const table = 0x100, code = 0x200;
+    rom.setUint8(0x13, this.stepping.rom);
     rom.setUint16(0x14, table, true);
     ROM_FUNCTIONS.forEach((name, n) => {
       rom.setUint16(table + 4 * n, name.charCodeAt(0) | (name.charCodeAt(1) << 8), true);
@@ -114,52 +117,6 @@ export class Chip {
   // The core is in the ROM for so long; its interrupts go on.
   #spend(nanos) {
     this.busyUntil = this.mcu.clock.nanos + nanos;
-  }
-
-  // Command 4Bh, by which the flash tells its number: four bytes that count for nothing, and eight.
-  #wireFlash() {
-    const ssi = this.mcu.peripherals[0x18000];
-    const write = ssi.writeUint32.bind(ssi), read = ssi.readUint32.bind(ssi);
-    let sent = [];
-    ssi.writeUint32 = (offset, value) => {
-      if (offset !== 0x60) return write(offset, value);
-      if (sent.length === 0 && value !== 0x4b) return write(offset, value);
-      sent.push(value);
-    };
-    ssi.readUint32 = (offset) => {
-      if (offset !== 0x60 || sent.length === 0) return read(offset);
-      const place = sent.length - 6;
-      if (place === 7) sent = [];
-      return place >= 0 ? this.uniqueId[place] : 0;
-    };
-  }
-
-  // SPI0 goes through four 74HC595 and back through four 74HC165; GPIO 17 is the strobe of both.
-  #wireShiftRegisters() {
-    let out = 0, sampled = 0;
-    this.mcu.gpio[17].addListener((state) => {
-      if (state === this.rp2040js.GPIOPinState.Low) sampled = ~this.switches >>> 0;  // Open lines are high.
-      if (state === this.rp2040js.GPIOPinState.High) this.lamps = out;
-    });
-    this.mcu.spi[0].onTransmit = (value) => {
-      out = ((out << 8) | value) >>> 0;
-      const answer = sampled >>> 24;
-      sampled = (sampled << 8) >>> 0;
-      this.mcu.spi[0].completeTransmit(answer);
-    };
-  }
-
-  // SPI1, selected by GPIO 13: three bytes, of which the first two name the channel, and the last two have its code.
-  #wireConverter() {
-    let asked = [];
-    this.mcu.gpio[13].addListener((state) => {
-      if (state === this.rp2040js.GPIOPinState.Low) asked = [];
-    });
-    this.mcu.spi[1].onTransmit = (value) => {
-      asked.push(value);
-      const code = this.codes[((asked[0] & 1) << 2) | (asked[1] >> 6)];
-      this.mcu.spi[1].completeTransmit(asked.length === 2 ? code >> 8 : asked.length === 3 ? code & 0xff : 0xff);
-    };
   }
 
   // Runs until the chip's clock stands at `nanos` or `until` is true; returns whether it was.
@@ -210,6 +167,8 @@ export class Chip {
       this.mcu.gpio[2 * dial + 1].setInputValue(quarter === 2 || quarter === 3);
     });
   }
+  // A channel of the converter, from 0 to 3 of a stick: a code of 12 bits.
+  move(axis, code) { this.codes[axis] = Math.min(Math.max(Math.round(code), 0), 4095); }
   push(button) { this.switches = (this.switches | (1 << button)) >>> 0; }
   release(button) { this.switches = (this.switches & ~(1 << button)) >>> 0; }
 

@@ -1,11 +1,13 @@
-// The emulated chip behind a socket: a USB device at the end of a cable, and an operator's hand on its dials and buttons.
+// The emulated chip behind a socket: a USB device at the end of a cable, and an operator's hand on its dials, axes and buttons.
 //
-// Usage: node serve.mjs RP2040JS IMAGE SOCKET     RP2040JS is the package's folder, IMAGE the flash as it is shipped; listens at
-//                                                 SOCKET for one peer (chip_usb.cpp), and ends with it
+// Usage: node serve.mjs RP2040JS IMAGE SOCKET [REGISTERS]     RP2040JS is the package's folder, IMAGE the flash as it is shipped; listens
+//                                                 at SOCKET for one peer (chip_usb.cpp), and ends with it. REGISTERS is how many
+//                                                 74HC165 the surface has: 4 of a dial box, which is meant without it, 2 of a pod
 //
 // Each frame is a kind, its length in two bytes, the low one first, and so many bytes:
 //   to the chip    B power goes and comes     S a setup of 8 bytes, and data        O a report to its OUT endpoint
 //                  H 1: a host listens; 0     T dial, counts (i32), edges a second (u32)     P, R push and release a button
+//                  X axis, code of 12 bits (u16)
 //   from the chip  A 1 and an answer, or 0: it stalls     I a report     L lamps (u32), starts that nobody asked for (u32)
 //
 // The chip's time is that of the wall, or slower where this computer does not keep up.
@@ -73,6 +75,8 @@ export class Server {
         chip.turn(data[0], Math.sign(counts), rate);
         this.#look();
       }
+    } else if (kind === "X") {
+      chip.move(data[0], data.readUInt16LE(1));
     } else if (kind === "P") {
       chip.push(data[0]);
     } else if (kind === "R") {
@@ -124,9 +128,9 @@ function attend(server, socket) {
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const [folder, image, place] = process.argv.slice(2);
+  const [folder, image, place, registers = "4"] = process.argv.slice(2);
   const rp2040js = await import(pathToFileURL(path.join(folder, "dist/esm/index.js")));
-  const chip = new Chip(rp2040js, readFileSync(image));
+  const chip = new Chip(rp2040js, readFileSync(image), { registers: Number(registers) });
   chip.enumerate();
   const listener = net.createServer((socket) => {
     listener.close();

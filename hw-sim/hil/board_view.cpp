@@ -75,6 +75,8 @@ void ParseRest(const Json& board, BoardView& view) {
   view.cue_active = board.at("cues").at("active");
   view.cue_pending = board.at("cues").at("pending");
   view.cue_standby = board.at("cues").at("standby");
+  view.head_yaw_rad = board.at("aim").at("head_yaw");
+  view.gaze_yaw_rad = board.at("aim").at("gaze_yaw");
   view.desk_code = board.at("desk_code");
 }
 

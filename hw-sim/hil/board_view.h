@@ -91,6 +91,9 @@ struct BoardView {
   int cue_pending = -1;
   // What GO plays next.
   int cue_standby = 0;
+  // In radians, as the stage plays them.
+  double head_yaw_rad = 0;
+  double gaze_yaw_rad = 0;
   // By which a visitor of the desk pairs, as the screen shows it; -1: it shows none.
   int desk_code = -1;
 

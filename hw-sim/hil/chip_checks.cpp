@@ -1,5 +1,6 @@
-// The dial box's firmware, bit for bit as it ships, in an emulated chip before the box's own kernel: its USB is enumerated and
-// driven by Linux, its dials move the face, and the box lights its lamps.
+// The firmware of dial box and stick pod, bit for bit as it ships, in an emulated chip before the box's own kernel: its USB is
+// enumerated and driven by Linux, dials and axes move the face, and the box lights the dial box's lamps.
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -29,26 +30,37 @@ constexpr const char* kEmulator = "hw-sim/chip/serve.mjs";
 constexpr int kDogButton = 8, kLightDial = 7, kAllLight = 512;
 // Linux throws away what a HID device says right after it was opened.
 constexpr Duration kOpened = seconds(1);
+// Codes of a pod's converter: where a spring rests, and how far from there its stops are. The pod's own firmware has 1 % about the
+// middle as rest, and the box a dead zone of its own.
+constexpr int kCodeAtRest = 2047, kCodesToStop = 2047;
+constexpr double kAtStop = 0.9, kTurned_rad = 0.2;
 // Parts of a picture's pixels.
 constexpr double kDarkPart = 0.02;
 
 // Node, which plays the chip, and the chip as a USB device. The socket is gone with the machine's folder.
-class EmulatedBox {
+class EmulatedSurface {
  public:
+  // Of which image, and how many shift registers its board has for switches.
+  struct Which {
+    const char* image;
+    const char* registers;
+  };
+  static constexpr Which kDialBox{"dial-box", "4"}, kStickPod{"stick-pod", "2"};
+
   // Errors: timed_out, with what the emulator said; those of ChipUsb::Connect.
-  static Result<EmulatedBox> Start(Scene& scene) {
+  static Result<EmulatedSurface> Start(Scene& scene, const Which& which) {
     const auto& options = scene.target.machine().options();
     const std::string socket = options.folder + "/chip", log = options.folder + "/chip.log";
     std::filesystem::remove(socket);
-    auto node = Process::Start(
-        {"node", kEmulator, options.chip + "/node_modules/rp2040js", options.chip + "/dial-box.bin", socket},
-        log);
+    auto node = Process::Start({"node", kEmulator, options.chip + "/node_modules/rp2040js",
+                                fmt::format("{}/{}.bin", options.chip, which.image), socket, which.registers},
+                               log);
     if (!node) return tl::unexpected(node.error());
     const auto listens = [&] { return std::filesystem::exists(socket) || !node->runs(); };
     scene.target.Until(listens, kLongestEmulatorStart);
     auto chip = sim::ChipUsb::Connect(socket);
     if (!chip) return FailAs(chip.error(), chip.error().attempt + ": " + ReadFile(log).value_or(""));
-    return EmulatedBox(std::move(*node), std::move(*chip), log);
+    return EmulatedSurface(std::move(*node), std::move(*chip), log);
   }
   // Lives as long as this.
   sim::ChipUsb& chip() { return *chip_; }
@@ -56,7 +68,7 @@ class EmulatedBox {
   std::string said() const { return ReadFile(log_).value_or(""); }
 
  private:
-  EmulatedBox(Process node, std::unique_ptr<sim::ChipUsb> chip, std::string log)
+  EmulatedSurface(Process node, std::unique_ptr<sim::ChipUsb> chip, std::string log)
       : node_(std::move(node)), chip_(std::move(chip)), log_(std::move(log)) {}
   Process node_;
   std::unique_ptr<sim::ChipUsb> chip_;
@@ -153,7 +165,7 @@ Result<void> WantItsStatus(Scene& scene) {
 
 // `way` -1: the wires of A and B are exchanged at every encoder.
 Result<void> PlayChip(Scene& scene, int way) {
-  auto box = EmulatedBox::Start(scene);
+  auto box = EmulatedSurface::Start(scene, EmulatedSurface::kDialBox);
   if (!box) return tl::unexpected(box.error());
   sim::ChipUsb& chip = box->chip();
   auto played = [&]() -> Result<void> {
@@ -175,10 +187,14 @@ Result<void> PlayChip(Scene& scene, int way) {
   return played;
 }
 
-Result<void> ShippedChip(Scene& scene) {
+bool HasEmulator(Scene& scene) {
   const std::string& folder = scene.target.machine().options().chip;
-  if (folder.empty() || !std::filesystem::exists(folder + "/node_modules/rp2040js"))
-    return scene.Skip("there is no emulator of the chip; --chip names its folder");
+  return !folder.empty() && std::filesystem::exists(folder + "/node_modules/rp2040js");
+}
+constexpr const char* kNoEmulator = "there is no emulator of the chip; --chip names its folder";
+
+Result<void> ShippedChip(Scene& scene) {
+  if (!HasEmulator(scene)) return scene.Skip(kNoEmulator);
   if (auto ok = PlayChip(scene, 1); !ok) return ok;
   scene.finding.figures["chip_plays_box"] = 1;
   scene.finding.said =
@@ -186,7 +202,62 @@ Result<void> ShippedChip(Scene& scene) {
   return scene.WantNoRestart();
 }
 
-// The control.
+// What a pod at one socket plays.
+struct PodRole {
+  const char* socket;
+  const char* what;
+  StickView BoardView::*stick;
+  double BoardView::*turned_rad;
+};
+constexpr PodRole kPlaysHead{"stick-left", "the head", &BoardView::left, &BoardView::head_yaw_rad};
+constexpr PodRole kPlaysGaze{"stick-right", "the gaze", &BoardView::right, &BoardView::gaze_yaw_rad};
+
+// To its right stop, and let go: the level goes along and comes back. `way` -1: the potentiometer's ends are exchanged.
+Result<void> PushPod(Scene& scene, sim::ChipUsb& chip, const PodRole& role, int way) {
+  const HeldDevice held(scene, role.socket, chip);
+  const auto live = [&](const BoardView& now) {
+    return (now.*role.stick).live && scene.target.rig().port(role.socket)->listened();
+  };
+  if (auto ok = WantOfChip(scene, live, "the emulated pod as a stick"); !ok) return ok;
+  scene.target.For(kOpened);
+  chip.Move(0, static_cast<std::uint16_t>(kCodeAtRest + way * kCodesToStop));
+  const auto pushed = [&](const BoardView& now) {
+    return (now.*role.stick).x > kAtStop && std::abs(now.*role.turned_rad) > kTurned_rad;
+  };
+  auto seen = WantOfChip(scene, pushed, fmt::format("a pod of the chip that turns {}", role.what).c_str());
+  if (seen) seen = scene.ShootFace("chip-pod", fmt::format("The emulated pod turns {}", role.what));
+  chip.Move(0, kCodeAtRest);
+  if (!seen) return seen;
+  const auto rests = [&](const BoardView& now) {
+    return (now.*role.stick).x == 0 && std::abs(now.*role.turned_rad) < kTurned_rad / 2;
+  };
+  return WantOfChip(scene, rests, "the pod let go, at exactly 0,");
+}
+
+// One chip at one socket after the other, since a stick's role belongs to the port.
+Result<void> PlayPod(Scene& scene, int way) {
+  auto pod = EmulatedSurface::Start(scene, EmulatedSurface::kStickPod);
+  if (!pod) return tl::unexpected(pod.error());
+  auto played = PushPod(scene, pod->chip(), kPlaysHead, way);
+  if (played) played = PushPod(scene, pod->chip(), kPlaysGaze, way);
+  scene.finding.texts.emplace_back("the chip's emulator", pod->said());
+  if (!played || pod->chip().restarts() == 0) return played;
+  return FailInput(fmt::format("the chip's watchdog started it {} times", pod->chip().restarts()));
+}
+
+Result<void> ShippedPod(Scene& scene) {
+  if (!HasEmulator(scene)) return scene.Skip(kNoEmulator);
+  if (auto ok = PlayPod(scene, 1); !ok) return ok;
+  scene.finding.figures["chip_plays_pod"] = 1;
+  scene.finding.said =
+      "the shipped image of the pod in its emulated chip: the head, the gaze, and rest at exactly 0";
+  return scene.WantNoRestart();
+}
+
+// The controls.
+Result<void> ExchangedEndsAreSeen(Scene& scene) {
+  return WantFoundWrong(PlayPod(scene, -1), "a pod whose potentiometer is wired the wrong way round passes");
+}
 Result<void> CrossedWiresAreSeen(Scene& scene) {
   return WantFoundWrong(PlayChip(scene, -1), "a chip whose dials are wired the wrong way round passes");
 }
@@ -200,7 +271,14 @@ std::vector<Check> ChipChecks() {
            ShippedChip,
            {},
            {},
-           CrossedWiresAreSeen}};
+           CrossedWiresAreSeen},
+          {"chip-pod",
+           "The shipped firmware of the pod in its emulated chip is a stick that moves head and gaze",
+           false,
+           ShippedPod,
+           {},
+           {},
+           ExchangedEndsAreSeen}};
 }
 
 }  // namespace kaori::hil

@@ -48,7 +48,8 @@ json::Value LearnJson(const board::Stamped<board::Learn>& learn, Time now) {
                       {"inverted", value.inverted != 0},
                       {"instead", value.instead != 0},
                       {"restless", value.restless != 0 ? board::NameOf(value.moves_itself) : std::string()},
-                      {"ambiguous", value.ambiguous != 0}};
+                      {"ambiguous", value.ambiguous != 0},
+                      {"counts", value.turn_counts}};
 }
 
 json::List MotionsJson(const board::ShowNow& show) {

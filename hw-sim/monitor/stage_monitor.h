@@ -24,7 +24,7 @@ class StageMonitor {
   //    "levels":[[value,owner,role]..],
   //    "locked":bool, "locked_out":count, "check":null or {"running":bool,"summary":words,"items":[[device,words,state]..]},
   //    "lobby":word or "", "lobby_hours":word or "",
-  //    "learn":null or {"phase","choice":numbers,"control":words,"inverted","instead":bools,"restless":words,"ambiguous":bool},
+  //    "learn":null or {"phase","choice":numbers,"control":words,"inverted","instead":bools,"restless":words,"ambiguous":bool,"counts":number},
   //    "role_devices":[number..],
   //    "motions":[[number,seconds,ends]..], "midi":[[count,device,words,dial,button]..]}
   // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue.

@@ -48,6 +48,7 @@ TEST(ReportLayout, TellsDevicesByTheirUsages) {
   };
   EXPECT_EQ(kind(wire::kDialBoxDescriptor), DeviceKind::kDialBox);
   EXPECT_EQ(kind(wire::kStickPodDescriptor), DeviceKind::kJoystick);
+  EXPECT_EQ(kind(wire::kRefusalDescriptor), DeviceKind::kOther) << "a surface that refuses to play";
   EXPECT_EQ(kind(wire::kKeyboardDescriptor), DeviceKind::kKeyboard);
   EXPECT_EQ(kind(tests::kExtreme3dPro), DeviceKind::kJoystick);
   EXPECT_EQ(kind(tests::kAttack3), DeviceKind::kJoystick);

@@ -28,6 +28,14 @@ CONTROLS = (
     ("one copy of what is stored", "flash_store.cpp", "CopyAt(last ? 1 - newer : 0)", "CopyAt(newer)"),
     ("no check of what is stored", "flash_store.cpp", "std::span(check).first(kTailBytes)))\n    return std::nullopt;",
      "std::span(check).first(kTailBytes)))\n    (void)0;"),
+    ("a spike of the converter passes", "axis.cpp", "std::uint32_t{Median(sums_[0], sums_[1], sums_[2])}", "std::uint32_t{sums_[2]}"),
+    ("a tremble is a movement", "axis.cpp", "kLeastFromRest = 20", "kLeastFromRest = 8"),
+    ("a slow turn goes by coarse steps", "axis.cpp", "kLeastMove = 4", "kLeastMove = 20"),
+    ("the first look counts", "dials.cpp", "    before_ = lines;\n    looked_ = true;", "    looked_ = true;"),
+    ("data of an update out of order", "updater.cpp", "|| offset != taken_) return false", ") return false"),
+    ("an image is taken without its hash", "updater.cpp", "  if (!HasItsHash(flash_, slot, image_)) return false;\n", ""),
+    ("an image that nobody confirmed erases the one before", "updater.cpp", "if (!IsKept(flash_, running_.slot)) return false;", ""),
+    ("a try is not written down", "slots.cpp", "      Clear(flash, one.slot, used);\n", ""),
     ("an update goes into the slot that runs", "updater.cpp", "flash_.Erase(At(Other(running_.slot)))", "flash_.Erase(At(running_.slot))"),
 )
 FLAGS = ("-std=c++20", "-O1", "-w")

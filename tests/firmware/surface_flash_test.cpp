@@ -66,6 +66,10 @@ TEST(ASurfacesFlash, SurvivesACutAtEveryOperation) {
   proof::Figure("update_cuts_dead", proof.dead + proof.unexpected + proof.lost);
 }
 
+TEST(ASurfacesFlash, NeitherTakesNorKeepsWhatItMayNot) {
+  EXPECT_EQ(proof::ProveTrials(20), 0u);
+}
+
 TEST(ASurfacesFlash, UsesNothingInWhichABitFlipped) {
   EXPECT_EQ(proof::ProveDefects(500), 0u);
 }

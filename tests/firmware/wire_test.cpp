@@ -35,10 +35,12 @@ TEST(SurfaceWire, AStatusComesBackFromItsBytes) {
                              .state = SurfaceState::kTries,
                              .bytes_taken = 0x01020304,
                              .double_steps = 5,
-                             .chip_id = {1, 2, 3, 4, 5, 6, 7, 8}};
+                             .chip_id = {1, 2, 3, 4, 5, 6, 7, 8},
+                             .stepping = ChipStepping::kB1};
   const auto bytes = Encode(status);
   EXPECT_EQ(bytes[2], 300 & 0xFF);
   EXPECT_EQ(bytes[27], 8);
+  EXPECT_EQ(bytes[28], 2);
   EXPECT_EQ(Encode(DecodeSurfaceStatus(bytes)), bytes);
   EXPECT_EQ(DecodeSurfaceStatus(bytes).double_steps, 5u);
 }

@@ -12,6 +12,7 @@ runs of their own (ELSEWHERE) are named where nobody measured them.
   update_cuts, update_cuts_dead        the power is cut at each step of an update; boxes that did not start afterwards
   box_update_cuts_dead                 the same of updates that a box brings
   button_us, report_latency_cycles     in the emulated chip, the worst: a press to its report, an edge to its armed report
+  report_latency_edges, button_presses of how many those are the worst
   lossless_edge_rate_hz                of all eight dials at once
   emulated_is_shipped                  1: the image in the emulator is the one that is shipped, bit for bit
   controls_passed                      builds that are wrong on purpose and were not found out
@@ -19,6 +20,7 @@ runs of their own (ELSEWHERE) are named where nobody measured them.
   twins_played                         surfaces of other makers that play by their twins in kaori-input's tests
   surfaces_played                      of those, before the box's own kernel
   chip_plays_box                       1: the shipped image in its emulated chip moves the face of the box in the virtual machine
+  chip_plays_pod                       1: the same of the stick pod's image, which moves head and gaze
   serial_boxes_played, gpio_edges      serial boxes behind an adapter, edges of dials on GPIO lines, in the virtual machine
 """
 
@@ -40,9 +42,10 @@ BOUNDS = {"flash_bytes": (1, 49152), "ram_bytes": (1, 65536), "heap_bytes": (0, 
           "button_us": (0, 2500), "report_latency_cycles": (0, 12500), "lossless_edge_rate_hz": (20000, math.inf),
           "emulated_is_shipped": (1, 1), "controls_passed": (0, 0), "serial_false_values_after_gap": (0, 0),
           "twins_played": (14, math.inf), "surfaces_played": (10, math.inf), "serial_boxes_played": (3, math.inf),
-          "gpio_edges": (1000, math.inf), "chip_plays_box": (1, 1)}
+          "gpio_edges": (1000, math.inf), "chip_plays_box": (1, 1), "chip_plays_pod": (1, 1),
+          "report_latency_edges": (10_000, math.inf), "button_presses": (1000, math.inf)}
 # What measures a figure that is not of this run.
-ELSEWHERE = {"chip_plays_box": "./box test --bench", "surfaces_played": "./box test --bench", "serial_boxes_played": "./box test --bench",
+ELSEWHERE = {"chip_plays_box": "./box test --bench", "chip_plays_pod": "./box test --bench", "surfaces_played": "./box test --bench", "serial_boxes_played": "./box test --bench",
              "gpio_edges": "./box test --bench"}
 SUMMED = ("edges_tested", "usb_requests")
 TWINS = "*Owned*:*MidiSurfaces*:*Deck*:*SerialBox*"

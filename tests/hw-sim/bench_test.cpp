@@ -105,8 +105,9 @@ TEST_F(AgentBoard, IsWhatTheBenchReads) {
   board::StageStatus stage;
   stage.frames = 12;
   board->AcquireWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
-  board->AcquireWriter<board::ShowNow>()->Write({.cue_active = 3, .cue_standby = 4, .cue_pending = 5},
-                                                clock.now(), board::SourceState::kLive);
+  board::ShowNow show{.cue_active = 3, .cue_standby = 4, .cue_pending = 5};
+  for (float value = 0; auto& level : show.levels) level.value = value++;
+  board->AcquireWriter<board::ShowNow>()->Write(show, clock.now(), board::SourceState::kLive);
   board->AcquireWriter<board::Desk>()->Write({.code = 123456}, clock.now(), board::SourceState::kLive);
   const auto view = ReadBoardView(agent::BoardAsJson(*board, clock));
   ASSERT_TRUE(view) << view.error().message();
@@ -120,13 +121,12 @@ TEST_F(AgentBoard, IsWhatTheBenchReads) {
   EXPECT_FALSE(view->left.live);
   EXPECT_EQ(view->stage.frames, 12U);
   EXPECT_EQ(std::tuple(view->cue_active, view->cue_standby, view->cue_pending), std::tuple(3, 4, 5));
+  EXPECT_EQ(std::tuple(view->head_yaw_rad, view->gaze_yaw_rad), std::tuple(8, 12));
   EXPECT_EQ(view->now_ns, clock.now().time_since_epoch().count());
 }
 
 TEST(BoardView, RefusesWhatNoAgentSays) {
-  EXPECT_FALSE(ReadBoardView(""));
-  EXPECT_FALSE(ReadBoardView("{}"));
-  EXPECT_FALSE(ReadBoardView(R"({"surface":7})"));
+  for (const char* said : {"", "{}", R"({"surface":7})"}) EXPECT_FALSE(ReadBoardView(said)) << said;
 }
 
 using AgentActions = Folder;

@@ -108,6 +108,8 @@ TEST_F(ChipOnACable, WhatAnOperatorAndAHostDoReachesTheChip) {
   EXPECT_EQ(peer_.Next(), (std::pair{'T', UsbBytes{7, 0, 0xFF, 0xFF, 0xFF, 0xF4, 1, 0, 0}}));
   chip_->Push(31);
   EXPECT_EQ(peer_.Next(), (std::pair{'P', UsbBytes{31}}));
+  chip_->Move(1, 4095);
+  EXPECT_EQ(peer_.Next(), (std::pair{'X', UsbBytes{1, 0xFF, 0x0F}}));
   chip_->HandleOut(0x01, UsbBytes{1, 0, 0, 0x80});
   EXPECT_EQ(peer_.Next(), (std::pair{'O', UsbBytes{1, 0, 0, 0x80}}));
   chip_->HostCame(0x81);

@@ -89,7 +89,7 @@ TEST_F(Monitored, TellsWhatIsLearntInWordsWhileSomebodyTeaches) {
   writer.Write(learn, clock_.now() + 1s, board::SourceState::kLive);
   EXPECT_NE(
       ReadInASecond().find(R"("learn":{"phase":2,"choice":8,"control":"dial box dial 3","inverted":true,)"
-                           R"("instead":false,"restless":"","ambiguous":false})"),
+                           R"("instead":false,"restless":"","ambiguous":false,"counts":0})"),
       std::string::npos)
       << Read();
   learn.phase = board::LearnPhase::kEnded;

@@ -234,6 +234,7 @@ const std::map<std::string, std::string>& NotOffered() {
       {"kaori-input --last-good", "it is written, and read as --box"},
       {"kaori-input --midi",
        "the kernel's folder of devices, or a simulator's sockets; browser_playing.test.mjs plays one"},
+      {"kaori-input --turns", "it is written, and what is wrong in it is named: input_turns_test.cpp"},
       {"kaori-power --notice", "it is written"},
       {"kaori-power --start", "a damaged one is no error: power_last_start_test.cpp"},
       {"kaori-rehearsal --film", "it is written"},

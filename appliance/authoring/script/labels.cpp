@@ -187,7 +187,8 @@ json::List CuesJson(const show::CueList& list) {
   return cues;
 }
 
-// As board::Learn counts them: levels that every show has, faces, expressions; then what buttons may call.
+// As board::Learn counts them: levels that every show has, faces, expressions; then what buttons may call; last the
+// turn of a dial.
 json::List TeachableJson(const show::Show& show) {
   json::List levels;
   for (std::size_t i = 0; i < show::kNamedLevels; ++i)
@@ -199,6 +200,7 @@ json::List TeachableJson(const show::Show& show) {
   for (std::size_t i = 0; i < calls.size(); ++i)
     levels.emplace_back(i < kCueVerbs.size() ? std::string("Call ") + kCueVerbs[i]
                                              : Readable("call " + calls[i]));
+  levels.emplace_back("One turn of a dial");
   return levels;
 }
 

@@ -22,17 +22,18 @@ enum class LearnPhase : std::uint32_t {
 inline constexpr std::uint32_t kLearnPhaseCount = 8;
 
 // What a call of CallVerb::kLearn asks for. The call's `value` of kBegin says which level it is for, as
-// Learn::choice does.
-enum class LearnCall : std::uint32_t { kEnd, kBegin, kKeep, kTurnRound };
+// Learn::choice does. The last two are kaori-input's answers to a turn that is to be kept.
+enum class LearnCall : std::uint32_t { kEnd, kBegin, kKeep, kTurnRound, kTurnKept, kTurnRefused };
 
 //   writer   kaori-stage at each frame while somebody teaches, and once when it has ended
-//   readers  kaori-status; who shows it to people: in the demo its page
+//   readers  kaori-input, which keeps what a turn has; kaori-status; who shows it to people: in the demo its page
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct Learn {
   static constexpr const char* kName = "learn";
   LearnPhase phase = LearnPhase::kNever;
   // What is taught, counted from 0: levels that every show has (show::Level), then the show's faces and its
-  // expressions as levels; then what buttons may call (roles::TeachableCalls).
+  // expressions as levels; then what buttons may call (roles::TeachableCalls); last how many counts one turn of
+  // a dial has.
   std::uint32_t choice = 0;
   CheckedItem found{};          // The control, from kFound on: an axis or a dial; of a call a button.
   std::uint32_t inverted = 0;   // 1: its lower end is the level's upper one.
@@ -40,6 +41,10 @@ struct Learn {
   std::uint32_t restless = 0;   // 1: this control does not rest, so that it cannot be the one that is meant.
   CheckedItem moves_itself{};   //
   std::uint32_t ambiguous = 0;  // 1: two controls moved alike.
+  // Of the lesson of a turn: counts on the board in that turn of the dial `found`, and from kKeeping on a number
+  // that no lesson before had; 0: there is none to be kept.
+  std::uint32_t turn_counts = 0;
+  std::uint32_t turn_lesson = 0;
 };
 
 // The name of an axis, a dial or a button with its device, for people: "left stick twist", "dial box dial 3".

@@ -96,6 +96,24 @@ std::string ParseDialBox(std::string_view value, std::string& dial_box) {
   return {};
 }
 
+// Lines are judged by their number alone: which of them a chip has, and that none is named twice, kaori-input sees.
+std::string ParseDialLines(std::string_view value, std::string& dial_lines) {
+  constexpr std::ptrdiff_t kMostLines = 16;
+  const auto wanted = IsQuoted(value) ? value.substr(1, value.size() - 2) : std::string_view{};
+  const auto colon = std::min(wanted.find(':'), wanted.size());
+  const auto chip = wanted.substr(0, colon), lines = wanted.substr(std::min(colon + 1, wanted.size()));
+  const auto is_chip = [](char c) { return IsOfScreenName(c) || c == '_'; };
+  const auto is_line = [](char c) { return (c >= '0' && c <= '9') || c == ','; };
+  const auto commas = std::ranges::count(lines, ',');
+  const bool is_list = !lines.empty() && std::ranges::all_of(lines, is_line) && lines.front() != ',' &&
+                       lines.back() != ',' && lines.find(",,") == std::string_view::npos;
+  if (chip.empty() || !std::ranges::all_of(chip, is_chip) || !is_list || commas % 2 == 0 ||
+      commas >= kMostLines)
+    return "expected a GPIO chip and two lines for each dial, as in \"gpiochip0:4,5,6,7\"";
+  dial_lines = wanted;
+  return {};
+}
+
 // Names of the tz database: "Asia/Tokyo", "Etc/GMT-9". It goes into an environment file of systemd, and is a
 // path below a folder.
 std::string ParseZone(std::string_view value, std::string& zone) {
@@ -163,6 +181,7 @@ class Reading {
     if (key == "status_screen") return ParseScreen(value, profile_.status_screen);
     if (key == "monitor_screen") return ParseScreen(value, profile_.monitor_screen);
     if (key == "dial_box") return ParseDialBox(value, profile_.dial_box);
+    if (key == "dial_lines") return ParseDialLines(value, profile_.dial_lines);
     if (key == "dial_box_counts") return ParseDialBoxCounts(value, profile_.dial_box_counts);
     return "there is no setting " + std::string(key);
   }
@@ -191,11 +210,13 @@ Profile ReadProfile(std::string_view text) {
 }
 
 std::string DialsEnvironmentOf(const Profile& profile) {
-  if (profile.dial_box.empty()) return "KAORI_DIALS=\n";
-  const auto counts = profile.dial_box_counts == 0
-                          ? std::string()
-                          : " --counts-per-turn " + std::to_string(profile.dial_box_counts);
-  return "KAORI_DIALS=--serial " + profile.dial_box + counts + "\n";
+  if (profile.dial_box.empty() && profile.dial_lines.empty()) return "KAORI_DIALS=\n";
+  std::string options;
+  if (!profile.dial_box.empty()) options += " --serial " + profile.dial_box;
+  if (!profile.dial_lines.empty()) options += " --dials " + profile.dial_lines;
+  if (profile.dial_box_counts != 0)
+    options += " --counts-per-turn " + std::to_string(profile.dial_box_counts);
+  return "KAORI_DIALS=" + options.substr(1) + "\n";
 }
 
 std::string ClockEnvironmentOf(const Profile& profile) {

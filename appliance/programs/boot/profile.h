@@ -26,6 +26,7 @@ inline constexpr std::array<std::string_view, 3> kProfileNames{"stage", "kiosk",
 //   dial_box = "/dev/serial/by-path/...=sgi"   a dial box of 1993 on a serial line, and which of the kinds sgi,
 //                       spectragraphics and dls80 it is
 //   dial_box_counts = 200   counts of one turn of its dials, 1 to 2^20
+//   dial_lines = "gpiochip0:4,5,6,7"   dials on GPIO lines: a chip, and A and B of each dial, eight dials at most
 // in the section [lines] what ParseWire takes, and in [clock]
 //   zone = "Asia/Tokyo"   the time zone of the house, by its name in the tz database; UTC without it
 // and in [network]
@@ -42,6 +43,8 @@ struct Profile {
   std::string status_screen{}, monitor_screen{};
   // A line and its kind of box; empty: none.
   std::string dial_box{};
+  // A chip and its lines; empty: none.
+  std::string dial_lines{};
   // Of one turn; 0: as kaori-input has it.
   int dial_box_counts = 0;
   // Empty: UTC.

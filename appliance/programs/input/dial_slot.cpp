@@ -18,8 +18,8 @@ constexpr Duration kRepaint = std::chrono::seconds(1);
 }  // namespace
 
 DialSlot::DialSlot(const board::Board& board, SurfaceSection& section, std::size_t device,
-                   const std::vector<SurfaceMap>& maps)
-    : board_(board), section_(section), device_(device), maps_(maps) {}
+                   const std::vector<SurfaceMap>& maps, const LearntTurns& turns)
+    : board_(board), section_(section), device_(device), maps_(maps), turns_(turns) {}
 
 // The first position that a wrapping dial reports counts as no turn: a plug does not move a dial. A box that
 // was just plugged in has all lamps dark, so that lit_ is unknown.
@@ -30,8 +30,11 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   if (!decoder) return tl::unexpected(decoder.error());
   decoder_ = std::move(*decoder);
   map_ = map != nullptr ? map : &usual_;
+  identity_ = identity;
+  const int learnt = turns_.CountsOf(identity);
+  SetCountsPerTurn(learnt != 0 ? learnt : map_->counts_per_turn);
+  turned_at_ = {};
   passed_on_ = {};
-  rests_ = {};
   lit_.reset();
   lamps_after_ = now;
   lamp_failures_ = 0;
@@ -73,15 +76,29 @@ Result<void> DialSlot::Accept(std::span<const std::uint8_t> report, Time at) {
 void DialSlot::Turn(std::size_t dial, std::int32_t counts, Time at) {
   if (counts == 0 || !map_->dials[dial]) return;
   std::int64_t turned = counts;
-  if (map_->counts_per_turn != 0) {
+  if (counts_per_turn_ != 0) {
     const std::int64_t parts = rests_[dial] + turned * section_.counts_per_turn();
-    turned = parts / map_->counts_per_turn;
-    rests_[dial] = parts % map_->counts_per_turn;
+    turned = parts / counts_per_turn_;
+    rests_[dial] = parts % counts_per_turn_;
   }
+  turned_at_[*map_->dials[dial]] = at;
   section_.Turn(*map_->dials[dial], static_cast<std::int32_t>(turned), at);
 }
 
+double DialSlot::CountsOfItsOwn(std::uint32_t on_board) const {
+  return counts_per_turn_ == 0
+             ? on_board
+             : static_cast<double>(on_board) * counts_per_turn_ / section_.counts_per_turn();
+}
+
+// Parts of a count are of the size that counts had before.
+void DialSlot::SetCountsPerTurn(int counts) {
+  counts_per_turn_ = counts;
+  rests_ = {};
+}
+
 void DialSlot::Unplug(Time now) {
+  turned_at_ = {};
   decoder_.reset();
   pictures_.Unplug();
   section_.Unplug(device_, now);

@@ -9,6 +9,7 @@
 #include "appliance/core/board/board.h"
 #include "appliance/programs/input/deck_pictures.h"
 #include "appliance/programs/input/device_slot.h"
+#include "appliance/programs/input/learnt_turns.h"
 #include "appliance/programs/input/surface_map.h"
 #include "appliance/programs/input/surface_section.h"
 #include "drivers/decode/dial_box.h"
@@ -22,7 +23,7 @@ class DialSlot final : public DeviceSlot {
   // Borrows all of them; they outlive the slot. `device` is its number in the section. The section Lamps of
   // the board is what the device shows.
   DialSlot(const board::Board& board, SurfaceSection& section, std::size_t device,
-           const std::vector<SurfaceMap>& maps);
+           const std::vector<SurfaceMap>& maps, const LearntTurns& turns);
 
   std::string_view name() const override { return device_ == 0 ? "dial box" : "further surface"; }
   Result<void> Plug(const ports::HidIdentity& identity, Time now) override;
@@ -30,6 +31,15 @@ class DialSlot final : public DeviceSlot {
   void Publish() override { section_.Publish(); }
   void Unplug(Time now) override;
   void Tick(Time now, ports::HidChannel* device) override;
+
+  // The device that is plugged in, or was last.
+  const ports::HidIdentity& identity() const { return identity_; }
+  // When the device that is plugged in turned that dial of the board last; Time{}: it has not.
+  Time turned_at(std::size_t dial) const { return turned_at_[dial]; }
+  // What so many counts of the board are in counts of the device's own.
+  double CountsOfItsOwn(std::uint32_t on_board) const;
+  // How many of its own counts one turn has, from the next count on.
+  void SetCountsPerTurn(int counts);
 
  private:
   // What the device's own dial turned, as counts of the board's.
@@ -47,6 +57,11 @@ class DialSlot final : public DeviceSlot {
   // Of a device that no file names.
   const SurfaceMap usual_;
   const SurfaceMap* map_ = &usual_;
+  const LearntTurns& turns_;
+  ports::HidIdentity identity_{};
+  // What was learnt comes before what the map says; 0: neither says anything, and a count is one of the board's.
+  int counts_per_turn_ = 0;
+  std::array<Time, decode::kMaxDials> turned_at_{};  // By the board's dial.
   std::optional<decode::DialBoxDecoder> decoder_;
   // Counts of the decoder that the section has, and parts of a count that are left over, both by the device's
   // dial.

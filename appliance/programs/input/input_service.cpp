@@ -63,6 +63,8 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
              sources.wired_lines),
       maps_(std::move(sources.maps)),
       surface_(board, std::move(writers.surface), settings.counts_per_turn, 1 + kFurtherSurfaces),
+      turns_(std::move(sources.turns)),
+      lessons_(board, turns_, lines_),
       midi_tap_(sources.midi),
       midi_(board, std::move(writers.midi), maps_),
       roles_(settings.stick_ports, PortsBefore(board)),
@@ -71,13 +73,15 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
   for (ports::HidBus* bus : sources.buses) buses_.push_back({.bus = bus});
   auto &dials = bindings_[0], &left = bindings_[1], &right = bindings_[2], &keys = bindings_[3],
        &pointer = bindings_[4];
-  dials.slot = std::make_unique<DialSlot>(board, surface_, 0, maps_);
-  for (std::size_t n = 0; n < kFurtherSurfaces; ++n) {
-    Binding& further = bindings_[kFirstFurtherSurface + n];
-    further.slot = std::make_unique<DialSlot>(board, surface_, 1 + n, maps_);
-    further.kind = DeviceKind::kSurface;
-  }
-  dials.kind = DeviceKind::kDialBox;
+  const auto make_surface = [&](Binding& binding, std::size_t device, DeviceKind kind) {
+    auto slot = std::make_unique<DialSlot>(board, surface_, device, maps_, turns_);
+    lessons_.Add(*slot);
+    binding.slot = std::move(slot);
+    binding.kind = kind;
+  };
+  make_surface(dials, 0, DeviceKind::kDialBox);
+  for (std::size_t n = 0; n < kFurtherSurfaces; ++n)
+    make_surface(bindings_[kFirstFurtherSurface + n], 1 + n, DeviceKind::kSurface);
   dials.only_port = settings.dial_box_port;
   left.slot = std::make_unique<StickSlot>(board, std::move(writers.sticks[0]), 0, settings);
   right.slot = std::make_unique<StickSlot>(board, std::move(writers.sticks[1]), 1, settings);
@@ -101,6 +105,7 @@ void InputService::Step() {
   }
   if (!absent_detached_ && now - started_ >= kFindTime) DetachAbsent(now);
   if (midi_tap_ != nullptr) midi_.Publish(*midi_tap_);
+  lessons_.Step(now);
   lines_.Step(now);
   lines_.SetTally(TallyLit(board_.Read<board::StageStatus>(), board_.Read<board::Lines>(), now));
 }
@@ -155,7 +160,9 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
   if (!layout) return Skip(port, decode::DeviceKind::kOther, layout.error().message());
   const bool has_map = MapFor(maps_, (*device)->identity().vendor, (*device)->identity().product) != nullptr;
   const decode::DeviceKind kind = has_map ? decode::DeviceKind::kSurface : decode::Recognise(*layout);
-  if (kind == decode::DeviceKind::kOther) return Skip(port, kind, "the device is not one that the show uses");
+  if (kind == decode::DeviceKind::kOther)
+    return Skip(port, kind,
+                Printable((*device)->identity().name) + ": the device is not one that the show uses");
   Binding* binding = BindingFor(kind, port);
   if (binding == nullptr)
     return Skip(port, kind, "the slot for this kind of device is occupied; the device is a spare");

@@ -10,12 +10,14 @@
 
 #include "appliance/core/board/caller.h"
 #include "appliance/programs/input/device_slot.h"
+#include "appliance/programs/input/learnt_turns.h"
 #include "appliance/programs/input/line_inputs.h"
 #include "appliance/programs/input/midi_section.h"
 #include "appliance/programs/input/settings.h"
 #include "appliance/programs/input/stick_roles.h"
 #include "appliance/programs/input/surface_map.h"
 #include "appliance/programs/input/surface_section.h"
+#include "appliance/programs/input/turn_lessons.h"
 #include "drivers/base/clock.h"
 #include "drivers/decode/recognise.h"
 #include "drivers/ports/gpio_lines.h"
@@ -50,6 +52,8 @@ struct InputSources {
   const ports::MidiTap* midi = nullptr;
   // Bit n: line n is wired; for those who ask whether each of them works.
   std::uint32_t wired_lines = board::kEveryLine;
+  // Where it is kept what one turn of a device's dials has; empty: nowhere.
+  std::filesystem::path turns{};
 };
 
 // How many surfaces with a map may play beside the dial box.
@@ -153,6 +157,8 @@ class InputService {
   LineInputs lines_;
   const std::vector<SurfaceMap> maps_;
   SurfaceSection surface_;
+  LearntTurns turns_;
+  TurnLessons lessons_;
   const ports::MidiTap* midi_tap_;
   MidiSection midi_;
   // The slots are made once and live as long as the service; devices come and go.

@@ -30,6 +30,9 @@ class LineInputs {
   // needs.
   void Step(Time now);
 
+  // Makes a call in this program's name: whoever else here has one makes it by the one writer of them.
+  void Call(const board::Call& call) { caller_.Make(call); }
+
   // Switches the tally lamp, output 0, where one is wired; one that cannot be switched just now is switched
   // by a later call. A lamp that fails otherwise is ignored.
   void SetTally(bool lit);

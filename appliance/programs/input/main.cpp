@@ -61,6 +61,7 @@ constexpr std::string_view kHelp =
   --settings FILE  the ports of the devices, dead zones and curves (TOML)
   --box FILE       instead: a box's settings, of which these are a part; a mistake in them is logged, and
   --last-good FILE counts then, a copy of the last ones without a mistake
+  --turns FILE     keeps how many counts one turn of a device's dials has, where learn mode was shown one
   --key FILE       is made while the key switch, the line `service`, is on
 )";
 
@@ -68,7 +69,8 @@ constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file, box, last_good, key, chip, lines, serial, surfaces, keys, midi, dials, counts;
+  std::string links, file, box, last_good, turns, key, chip, lines, serial, surfaces, keys, midi, dials,
+      counts;
   bool hidraw = false, usb = false;
 };
 
@@ -255,6 +257,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   kaori::input::InputSources sources;
   if (lines) sources.lines = std::move(*lines);
   sources.wired_lines = WiredLines(settings);
+  sources.turns = settings.turns;
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   sources.maps = ReadMaps(settings.surfaces, settings.keys);
   const auto midi_surfaces = MidiSurfacesOf(sources.maps);
@@ -288,7 +291,8 @@ int main(int argc, char** argv) {
   options.Text("--surfaces", settings.surfaces).Text("--keys", settings.keys).Text("--midi", settings.midi);
   options.Text("--gpiochip", settings.chip).Text("--lines", settings.lines);
   options.Text("--counts-per-turn", settings.counts).Text("--settings", settings.file);
-  options.Text("--box", settings.box).Text("--last-good", settings.last_good).Text("--key", settings.key);
+  options.Text("--box", settings.box).Text("--last-good", settings.last_good);
+  options.Text("--turns", settings.turns).Text("--key", settings.key);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());

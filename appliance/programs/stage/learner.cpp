@@ -20,6 +20,8 @@ using board::LearnCall;
 using board::LearnPhase;
 
 constexpr Duration kNobodyTeaches = std::chrono::minutes(2);
+// kaori-input looks every 5 ms and writes a file of some lines.
+constexpr Duration kLongestTurnKeeping = std::chrono::seconds(5);
 
 bool IsSame(const CheckedItem& a, const CheckedItem& b) {
   return a.kind == b.kind && a.device == b.device && a.number == b.number;
@@ -80,9 +82,10 @@ Learner::Wish Learner::ReadWish(performance::InputEvents& events) const {
   Wish wish;
   events.ConsumeCalls([&](const board::Call& call) {
     if (call.verb != board::CallVerb::kLearn) return false;
-    if (call.subject > static_cast<std::uint32_t>(LearnCall::kTurnRound)) return true;
-    wish.call = static_cast<LearnCall>(call.subject);
-    if (wish.call == LearnCall::kBegin && call.value >= 0 && call.value < static_cast<float>(ChoiceCount()))
+    if (call.subject > static_cast<std::uint32_t>(LearnCall::kTurnRefused)) return true;
+    const auto what = static_cast<LearnCall>(call.subject);
+    (what > LearnCall::kTurnRound ? wish.answer : wish.call) = what;
+    if (what == LearnCall::kBegin && call.value >= 0 && call.value < static_cast<float>(ChoiceCount()))
       wish.choice = static_cast<std::uint32_t>(call.value);
     return true;
   });
@@ -124,11 +127,13 @@ void Learner::Choose(std::uint32_t choice, const Frame& frame) {
   changed_at_ = frame.now;
   controls_.Begin(frame.live, frame.now);
   buttons_.Begin(frame.live, frame.now);
+  turns_.Begin(frame.live, frame.now);
 }
 
 // While the file is written nothing else is begun, so that what is shown is what is kept.
 void Learner::Do(const Wish& wish, const Frame& frame) {
   ends_ = ends_ || wish.call == LearnCall::kEnd;
+  answer_ = wish.answer ? wish.answer : answer_;
   if (now_.phase == LearnPhase::kKeeping) return;
   const auto count = static_cast<int>(ChoiceCount());
   if (wish.choice) return Choose(*wish.choice, frame);
@@ -137,7 +142,7 @@ void Learner::Do(const Wish& wish, const Frame& frame) {
     return Choose(static_cast<std::uint32_t>(choice), frame);
   }
   if (!IsFound()) return;
-  if (wish.call == LearnCall::kTurnRound && !IsCall()) {
+  if (wish.call == LearnCall::kTurnRound && !IsCall() && !IsTurn()) {
     now_.inverted ^= 1U;
     Propose(frame);
   }
@@ -145,6 +150,7 @@ void Learner::Do(const Wish& wish, const Frame& frame) {
 }
 
 void Learner::Look(const Frame& frame) {
+  if (IsTurn()) return LookAtTurns(frame);
   if (now_.phase == LearnPhase::kKeeping) {
     if (file_->busy()) return;
     changed_at_ = frame.now;
@@ -166,6 +172,33 @@ void Learner::Look(const Frame& frame) {
   found_ = found;
   now_.inverted = 0;
   Propose(frame);
+}
+
+// Whoever turns once more measures anew, until it is kept.
+void Learner::LookAtTurns(const Frame& frame) {
+  if (now_.phase == LearnPhase::kKeeping) return AwaitTurnKept(frame);
+  turns_.Look(frame.live, frame.now);
+  changed_at_ = std::max(changed_at_, turns_.changed_at());
+  now_.ambiguous = turns_.ambiguous() ? 1 : 0;
+  const auto& turn = turns_.found();
+  if (!turn || now_.phase == LearnPhase::kKept) return;
+  const bool is_known = now_.turn_counts == turn->counts && IsSame(now_.found, turn->dial);
+  if (is_known && now_.phase != LearnPhase::kAsking) return;
+  now_.found = turn->dial;
+  now_.turn_counts = turn->counts;
+  now_.phase = LearnPhase::kFound;
+}
+
+// The device is kaori-input's, and so is what it has learnt of it.
+void Learner::AwaitTurnKept(const Frame& frame) {
+  if (!answer_ && frame.now - changed_at_ < kLongestTurnKeeping) return;
+  const bool kept = answer_ == LearnCall::kTurnKept;
+  if (!kept)
+    LogWarning("what one turn has is not kept: {}",
+               answer_ ? "the log of kaori-input says why" : "kaori-input does not answer");
+  now_.phase = kept ? LearnPhase::kKept : LearnPhase::kRefused;
+  now_.turn_lesson = 0;
+  changed_at_ = frame.now;
 }
 
 void Learner::Propose(const Frame& frame) {
@@ -207,6 +240,14 @@ void Learner::ProposeButton(const Frame& frame) {
 void Learner::Keep(const Frame& frame) {
   now_.phase = LearnPhase::kKeeping;
   changed_at_ = frame.now;
+  if (IsTurn()) {
+    // A number of its own, which a stage that starts again does not give a second time.
+    const auto ms =
+        std::chrono::duration_cast<std::chrono::milliseconds>(frame.now.time_since_epoch()).count();
+    now_.turn_lesson = static_cast<std::uint32_t>(ms) | 1U;
+    answer_.reset();
+    return;
+  }
   file_->Write(*lesson_);
   Log("{} is to {} {} from the next start of the stage on", board::NameOf(now_.found),
       IsCall() ? "call" : "play", NameOfChoice());
@@ -229,62 +270,6 @@ void Learner::Withhold() {
     stick.slider = sliders_[i];
   }
   Release(left_);
-}
-
-// Levels that every show has, faces and expressions as levels; then what buttons may call.
-std::uint32_t Learner::ChoiceCount() const {
-  const std::size_t items = own_.items.faces.size() + own_.items.expressions.size();
-  return static_cast<std::uint32_t>(show::kNamedLevels + items + calls_.size());
-}
-
-bool Learner::IsCall() const {
-  return now_.choice >= show::kNamedLevels + own_.items.faces.size() + own_.items.expressions.size();
-}
-
-// As files call it.
-std::string Learner::NameOfChoice() const {
-  std::size_t choice = now_.choice;
-  if (choice < show::kNamedLevels) return std::string(show::kLevels[choice].name);
-  choice -= show::kNamedLevels;
-  const std::size_t items = own_.items.faces.size() + own_.items.expressions.size();
-  if (choice >= items) return calls_[choice - items];
-  if (choice < own_.items.faces.size()) return "face " + own_.items.faces[choice];
-  return "expression " + own_.items.expressions[choice - own_.items.faces.size()];
-}
-
-std::vector<std::string> Learner::Lines() const {
-  std::vector<std::string> lines{
-      fmt::format("teach: what {} {}?", IsCall() ? "calls" : "plays", NameOfChoice())};
-  const std::string control = board::NameOf(now_.found);
-  switch (now_.phase) {
-    case LearnPhase::kFound:
-    case LearnPhase::kRefused:
-      lines.push_back(control + (now_.inverted != 0 ? ", inverted" : ""));
-      if (now_.instead != 0) lines.push_back(fmt::format("instead of {}", fmt::join(instead_, ", ")));
-      if (now_.phase == LearnPhase::kRefused) lines.emplace_back("it could not be kept; see the log");
-      lines.emplace_back(IsCall() ? "Enter keeps it   Esc ends"
-                                  : "Enter keeps it   Left, Right turn it round   Esc ends");
-      return lines;
-    case LearnPhase::kUnfit:
-      lines.push_back(control + " springs back, and this level rests at an end");
-      break;
-    case LearnPhase::kKeeping:
-      lines.push_back(control + " is being kept");
-      return lines;
-    case LearnPhase::kKept:
-      lines.push_back(control + " is kept");
-      lines.emplace_back("Up, Down: another   Esc ends: the stage starts again with it");
-      return lines;
-    case LearnPhase::kNever:
-    case LearnPhase::kAsking:
-    case LearnPhase::kEnded:
-      break;
-  }
-  if (now_.restless != 0) lines.push_back(board::NameOf(now_.moves_itself) + " does not rest");
-  if (now_.ambiguous != 0) lines.emplace_back("two at once: move one alone");
-  lines.push_back(
-      fmt::format("{}   Up, Down: another   Esc ends", IsCall() ? "push a button" : "move a control"));
-  return lines;
 }
 
 }  // namespace kaori::stage

@@ -1,5 +1,5 @@
 // Learn mode as the stage runs it: a person picks a level and moves a control, or a call and pushes a button,
-// and the box keeps which one.
+// and the box keeps which one; or turns a dial once around, and the box keeps how many counts that is.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include "appliance/core/board/snapshot.h"
 #include "appliance/core/linecheck/button_finder.h"
 #include "appliance/core/linecheck/control_finder.h"
+#include "appliance/core/linecheck/turn_finder.h"
 #include "appliance/core/performance/input_events.h"
 #include "appliance/core/roles/own_buttons.h"
 #include "appliance/core/roles/taught.h"
@@ -61,8 +62,9 @@ class Learner {
  private:
   struct Wish {
     std::optional<board::LearnCall> call;
-    std::optional<std::uint32_t> choice;  // Of kBegin.
-    int step = 0;                         // To another level.
+    std::optional<board::LearnCall> answer{};  // Of kaori-input.
+    std::optional<std::uint32_t> choice;       // Of kBegin.
+    int step = 0;                              // To another level.
   };
   Wish ReadWish(performance::InputEvents& events) const;
   bool MayBegin(const Frame& frame) const;
@@ -71,6 +73,9 @@ class Learner {
   void Do(const Wish& wish, const Frame& frame);
   // Looks whether another control was found, and whether what is kept is written.
   void Look(const Frame& frame);
+  // The same of a turn of a dial, and of kaori-input's answer to it.
+  void LookAtTurns(const Frame& frame);
+  void AwaitTurnKept(const Frame& frame);
   // What is found, as a lesson; says whether it fits.
   void Propose(const Frame& frame);
   void ProposeControl(const Frame& frame);
@@ -83,6 +88,9 @@ class Learner {
   std::uint32_t ChoiceCount() const;
   // Whether it is something to be called, by a button, and no level.
   bool IsCall() const;
+  // Whether it is how many counts one turn of a dial has, which is no lesson of roles.
+  bool IsTurn() const;
+  std::vector<std::string> LinesOfTurn() const;
   std::string NameOfChoice() const;
   bool IsFound() const {
     return now_.phase == board::LearnPhase::kFound || now_.phase == board::LearnPhase::kRefused;
@@ -95,6 +103,8 @@ class Learner {
   board::Learn now_;
   linecheck::ControlFinder controls_;
   linecheck::ButtonFinder buttons_;
+  linecheck::TurnFinder turns_;
+  std::optional<board::LearnCall> answer_;  // Of kaori-input, to the turn that is to be kept.
   std::optional<board::CheckedItem> found_;
   std::optional<Lesson> lesson_;      // That would be kept.
   std::vector<std::string> instead_;  // What the control moves or calls until now.

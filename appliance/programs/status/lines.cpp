@@ -214,6 +214,7 @@ std::string TaughtWords(const board::Learn& learn) {
     case board::LearnPhase::kKeeping:
       return control + " is being kept.";
     case board::LearnPhase::kKept:
+      if (learn.turn_counts != 0) return control + " is kept. Up or Down picks what comes next.";
       return control + " is kept. Up or Down picks what comes next; End starts the stage again with it.";
     case board::LearnPhase::kRefused:
       return control + " could not be kept; the log of the stage says why. Enter tries again.";

@@ -1,5 +1,5 @@
-// kaori-surface: says which control surfaces are plugged in, and brings new firmware onto one of them, or as
-// a service of the box onto all of them, one after the other.
+// kaori-surface: says which control surfaces are plugged in, gives one of them a command, and brings new firmware
+// onto one of them, or as a service of the box onto all of them, one after the other.
 //
 // It ends with status 0 where the update is confirmed, 1 where it is not, and 2 where it is misused. Whatever
 // happens the surface plays on, from the new image or from the one before.
@@ -15,6 +15,7 @@
 
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/lines.h"
+#include "appliance/programs/surface/surface_command.h"
 #include "appliance/programs/surface/surface_update.h"
 #include "appliance/programs/surface/update_service.h"
 #include "drivers/base/event_loop.h"
@@ -36,6 +37,10 @@ constexpr std::string_view kHelp =
   --board FILE     the box's board, which says whether it is in service and whether a show runs
   --update FILE    an update, such as dial-box.update of ./box firmware
   --port PORT      the surface that gets it, such as 1-4.1
+  --lamp-test on   all lamps of the surface at --port are lit; off: as before
+  --brightness N   of its lamps, 0 to 15
+  --calibrate begin
+                   a stick pod at rest learns its ends: move each axis from stop to stop, and then say end
   --updates FOLDER stay, and while the key switch says service bring the updates of this folder onto every surface
                    that is older, one after the other
 )";
@@ -49,12 +54,12 @@ constexpr kaori::Duration kLook = 1s;
 constexpr kaori::Duration kStageIsDead = 5s;
 
 struct Settings {
-  std::string board = "/run/kaori/board", update, port, updates;
+  std::string board = "/run/kaori/board", update, port, updates, lamp_test, brightness, calibrate;
 };
 
 // The end of a sentence that begins with "it". Newer firmware may be in a state that is not of this list.
-const char* Words(kaori::wire::SurfaceState state) {
-  switch (state) {
+std::string Words(const kaori::wire::SurfaceStatus& status) {
+  switch (status.state) {
     case kaori::wire::SurfaceState::kPlays:
       return "plays";
     case kaori::wire::SurfaceState::kUpdates:
@@ -63,11 +68,13 @@ const char* Words(kaori::wire::SurfaceState state) {
       return "tries an image that is not confirmed";
     case kaori::wire::SurfaceState::kReady:
       return "has a new image, and waits for its restart";
+    case kaori::wire::SurfaceState::kRefuses:
+      return kaori::surface_update::RefusalWords(status);
   }
   return "is in a state that this program does not know";
 }
 
-// Prints a line for each surface, and returns how many of them are dial boxes.
+// Prints a line for each surface, and returns how many of them are dial boxes that play.
 int List(kaori::ports::HidBus& bus) {
   int dial_boxes = 0;
   for (const std::string& port : bus.Ports().value_or(std::vector<std::string>{})) {
@@ -76,12 +83,12 @@ int List(kaori::ports::HidBus& bus) {
     const std::uint32_t product = kaori::surface_update::ProductOf((*channel)->identity());
     if (product != kaori::surface_update::kDialBoxImage && product != kaori::surface_update::kStickPodImage)
       continue;
-    dial_boxes += product == kaori::surface_update::kDialBoxImage ? 1 : 0;
     const auto status = kaori::surface_update::ReadStatus(**channel);
+    dial_boxes += kaori::surface_update::IsPlayingDialBox((*channel)->identity(), status) ? 1 : 0;
     if (status)
       fmt::print("{}: {}, version {}.{}, serial number {:08x}, double steps {}; it {}\n", port,
                  (*channel)->identity().name, status->firmware_major, status->firmware_minor, status->serial,
-                 status->double_steps, Words(status->state));
+                 status->double_steps, Words(*status));
     else
       fmt::print("{}: {}\n", port, status.error().message());
   }
@@ -144,6 +151,33 @@ int Update(const Settings& settings, kaori::ports::HidBus& bus, int dial_boxes, 
   return 1;
 }
 
+// A technician's command to one surface, in service alone: a calibration or a lamp test in a show would be seen.
+int Command(const Settings& settings, kaori::ports::HidBus& bus, std::string_view option,
+            std::string_view value) {
+  const kaori::SteadyClock clock;
+  const auto command = kaori::surface_update::ParseCommand(option, value);
+  if (!command) {
+    kaori::LogError("{}", command.error().message());
+    return 2;
+  }
+  if (!CircumstancesOf(LookAt(settings.board, clock.now()), 0).in_service) {
+    kaori::LogError("surfaces take commands in service only: turn the key switch");
+    return 1;
+  }
+  const auto said = kaori::surface_update::GiveCommand(bus, settings.port, *command);
+  if (!said) return kaori::ExitWithError(said.error());
+  kaori::Log("{}: {}", settings.port, *said);
+  return 0;
+}
+
+// Whichever of the options is there; several are a mistake, of which the first counts.
+std::pair<std::string_view, std::string_view> CommandOf(const Settings& settings) {
+  if (!settings.lamp_test.empty()) return {"lamp-test", settings.lamp_test};
+  if (!settings.brightness.empty()) return {"brightness", settings.brightness};
+  if (!settings.calibrate.empty()) return {"calibrate", settings.calibrate};
+  return {};
+}
+
 // A file that is no update is named, and the others count.
 std::vector<UpdateFile> ReadUpdates(const std::string& folder) {
   const auto paths = kaori::ListFolder(folder);
@@ -190,7 +224,10 @@ int main(int argc, char** argv) {
   options.Text("--board", settings.board)
       .Text("--update", settings.update)
       .Text("--port", settings.port)
-      .Text("--updates", settings.updates);
+      .Text("--updates", settings.updates)
+      .Text("--lamp-test", settings.lamp_test)
+      .Text("--brightness", settings.brightness)
+      .Text("--calibrate", settings.calibrate);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
@@ -199,10 +236,12 @@ int main(int argc, char** argv) {
   if (!bus) return kaori::ExitWithError(bus.error());
   if (!settings.updates.empty()) return Serve(settings, **bus, *loop);
   const int dial_boxes = List(**bus);
-  if (settings.update.empty()) return 0;
+  const auto [option, value] = CommandOf(settings);
+  if (settings.update.empty() && option.empty()) return 0;
   if (settings.port.empty()) {
-    kaori::LogError("--update needs --port: which of the surfaces gets it");
+    kaori::LogError("--{} needs --port: which of the surfaces gets it", option.empty() ? "update" : option);
     return 2;
   }
+  if (!option.empty()) return Command(settings, **bus, option, value);
   return Update(settings, **bus, dial_boxes, *loop);
 }

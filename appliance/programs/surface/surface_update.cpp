@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "appliance/programs/surface/surface_command.h"
 #include "drivers/base/read_file.h"
 #include "firmware/wire/dial_box.h"
 
@@ -75,6 +76,19 @@ Result<wire::SurfaceStatus> ReadStatus(ports::HidChannel& channel) {
   return wire::DecodeSurfaceStatus(std::span(report).subspan<1, wire::kSurfaceFeatureBytes>());
 }
 
+std::string RefusalWords(const wire::SurfaceStatus& status) {
+  if (status.state != wire::SurfaceState::kRefuses) return {};
+  const std::string_view stepping = status.stepping == wire::ChipStepping::kB0   ? "B0"
+                                    : status.stepping == wire::ChipStepping::kB1 ? "B1"
+                                                                                 : "of an unknown stepping";
+  return fmt::format("refuses to play: its chip is an RP2040 {}, and only B2 and later ones may be used",
+                     stepping);
+}
+
+bool IsPlayingDialBox(const ports::HidIdentity& identity, const Result<wire::SurfaceStatus>& status) {
+  return ProductOf(identity) == kDialBoxImage && status && status->state != wire::SurfaceState::kRefuses;
+}
+
 SurfaceUpdate::SurfaceUpdate(ports::HidBus& bus, std::string port, const UpdateFile& file)
     : bus_(bus), port_(std::move(port)), file_(file) {}
 
@@ -98,8 +112,7 @@ bool SurfaceUpdate::HasChannel() {
   return channel_ != nullptr;
 }
 
-// One feature report a command, behind the byte for the report's id. `data` has at most
-// wire::kSurfaceDataBytes; what it leaves free is 0.
+// `data` has at most wire::kSurfaceDataBytes; what it leaves free is 0.
 Result<void> SurfaceUpdate::Command(SurfaceOperation operation, std::span<const std::uint8_t> data,
                                     std::uint32_t offset) {
   wire::SurfaceCommand command{.operation = operation,
@@ -107,9 +120,7 @@ Result<void> SurfaceUpdate::Command(SurfaceOperation operation, std::span<const 
                                .offset = offset,
                                .data = {}};
   std::ranges::copy(data, command.data.begin());
-  std::array<std::uint8_t, 1 + wire::kSurfaceFeatureBytes> report{};
-  std::ranges::copy(wire::Encode(command), report.begin() + 1);
-  return channel_->SetFeature(report);
+  return surface_update::Send(*channel_, command);
 }
 
 // A surface that went away, or lost its place, is begun with anew; one that refuses from the beginning is
@@ -137,6 +148,10 @@ void SurfaceUpdate::Send(Time now) {
 Result<void> SurfaceUpdate::Begin() {
   const auto status = ReadStatus(*channel_);
   if (!status) return tl::unexpected(status.error());
+  if (const auto why = RefusalWords(*status); !why.empty()) {
+    Fail("it " + why);
+    return {};
+  }
   if (VersionOf(*status) == version_sent() && status->state == wire::SurfaceState::kPlays) {
     state_ = State::kDone;
     outcome_ = fmt::format("the surface at {} has version {} already", port_, VersionWords(version_sent()));
@@ -184,6 +199,10 @@ void SurfaceUpdate::AwaitRestart(Time now) {
     if (VersionOf(*status) != version_sent())
       return Fail(fmt::format("the new image did not start; it plays version {} as before",
                               VersionWords(VersionOf(*status))));
+    // The firmware before did not ask its chip. It is not confirmed, so that the surface goes back to it.
+    if (const auto why = RefusalWords(*status); !why.empty())
+      return Fail("with the new image it " + why +
+                  "; pull its cable and plug it in until it plays the image before, three times at most");
     state_ = State::kTrying;
     trying_since_ = asked_at_ = now;
     return;

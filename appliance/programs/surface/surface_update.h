@@ -53,6 +53,12 @@ Result<void> MayUpdate(const wire::SurfaceImage& image, const Circumstances& now
 // too short.
 Result<wire::SurfaceStatus> ReadStatus(ports::HidChannel& channel);
 
+// Why a surface that refuses plays nothing, as the end of a sentence that begins with "it". Empty: it does not
+// refuse.
+std::string RefusalWords(const wire::SurfaceStatus& status);
+// Whether a surface counts as a dial box that plays: one that refuses, or says nothing, takes nobody's place.
+bool IsPlayingDialBox(const ports::HidIdentity& identity, const Result<wire::SurfaceStatus>& status);
+
 // Sends, restarts, watches for ten seconds, and confirms. Nothing that happens on the way leaves a dead
 // surface: what is not confirmed is given up by the surface itself after three starts. A surface that goes
 // away while it is sent to is sent to again, three times at most. One thread; one at a time.

@@ -71,24 +71,26 @@ std::vector<UpdateService::Due> UpdateService::Look(int& dial_boxes) {
       others_.insert(port);
       continue;
     }
-    dial_boxes += product == kDialBoxImage ? 1 : 0;
-    if (auto due = DueAt(**channel)) dues.push_back(std::move(*due));
+    const auto status = ReadStatus(**channel);
+    dial_boxes += IsPlayingDialBox((*channel)->identity(), status) ? 1 : 0;
+    if (!status) continue;
+    if (auto due = DueAt((*channel)->identity(), *status)) dues.push_back(std::move(*due));
   }
   return dues;
 }
 
 // Due is what is older than the newest file, and what tries that very version without a confirmation. A
-// surface that is newer than all files keeps what it has.
-std::optional<UpdateService::Due> UpdateService::DueAt(ports::HidChannel& channel) {
-  const UpdateFile* const file = NewestFor(ProductOf(channel.identity()));
-  if (file == nullptr) return std::nullopt;
-  const auto status = ReadStatus(channel);
-  if (!status || failed_.contains({status->chip_id, file->image.version})) return std::nullopt;
-  const std::uint32_t version = VersionOf(*status);
+// surface that is newer than all files keeps what it has, and one that refuses for its chip's sake takes nothing.
+std::optional<UpdateService::Due> UpdateService::DueAt(const ports::HidIdentity& identity,
+                                                       const wire::SurfaceStatus& status) const {
+  const UpdateFile* const file = NewestFor(ProductOf(identity));
+  if (file == nullptr || status.state == wire::SurfaceState::kRefuses) return std::nullopt;
+  if (failed_.contains({status.chip_id, file->image.version})) return std::nullopt;
+  const std::uint32_t version = VersionOf(status);
   const bool is_older = version < file->image.version;
-  const bool is_tried = version == file->image.version && status->state == wire::SurfaceState::kTries;
+  const bool is_tried = version == file->image.version && status.state == wire::SurfaceState::kTries;
   if (!is_older && !is_tried) return std::nullopt;
-  return Due{.port = channel.identity().port, .chip = status->chip_id, .version = version, .file = file};
+  return Due{.port = identity.port, .chip = status.chip_id, .version = version, .file = file};
 }
 
 // A folder may hold several updates for one product.

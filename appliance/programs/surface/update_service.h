@@ -37,10 +37,10 @@ class UpdateService {
     const UpdateFile* file;
   };
   void Go(Time now);
-  // The surfaces that want an update. Counts the dial boxes that are plugged in.
+  // The surfaces that want an update. Counts the dial boxes that play.
   std::vector<Due> Look(int& dial_boxes);
-  // What the surface at this open channel wants; nothing where it is up to date.
-  std::optional<Due> DueAt(ports::HidChannel& channel);
+  // What a surface that says this of itself wants; nothing where it is up to date, or takes no update.
+  std::optional<Due> DueAt(const ports::HidIdentity& identity, const wire::SurfaceStatus& status) const;
   const UpdateFile* NewestFor(std::uint32_t product) const;
   void Begin(const Due& due);
 

@@ -9,6 +9,7 @@
 #include "firmware/board/rp2040/rom_flash.h"
 #include "firmware/board/rp2040/shift_registers.h"
 #include "firmware/board/rp2040/start.h"
+#include "firmware/board/rp2040/stepping.h"
 #include "firmware/board/rp2040/usb_controller.h"
 #include "firmware/surface/dial_box.h"
 #include "firmware/surface/slots.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr std::uint32_t kProduct = std::uint32_t{wire::kDialBoxVendor} << 16 | wire::kDialBoxProduct;
 static_assert(surface::DialBox::kLooksPerSecond == kLooksPerSecond);
 
-// Set before the timer runs.
+// Set before the timer runs; null on a chip that is refused, where nobody looks at the dials.
 std::atomic<surface::DialBox*> looked_at{nullptr};
 
 surface::DialLines ReadDials() {
@@ -35,7 +36,7 @@ surface::DialLines ReadDials() {
 
 // In the timer's interrupt, 40 000 times a second.
 void Look() {
-  looked_at.load(std::memory_order_acquire)->Look(ReadDials());
+  if (auto* const box = looked_at.load(std::memory_order_acquire)) box->Look(ReadDials());
   CountLook();
 }
 
@@ -50,24 +51,26 @@ void Main() {
 
   RomFlash flash;
   const auto chip_id = flash.UniqueId();
+  const surface::Unit unit{.major = surface::kVersionMajor,
+                           .minor = surface::kVersionMinor,
+                           .counts_per_turn = wire::kDialCountsPerTurn,
+                           .hardware = kHardwareRp2040,
+                           .chip_id = chip_id,
+                           .stepping = ReadStepping()};
+  const surface::UsbIdentity identity{.vendor = wire::kDialBoxVendor,
+                                      .product = wire::kDialBoxProduct,
+                                      .release_bcd = surface::kVersionMajor << 8 | surface::kVersionMinor,
+                                      .name = "Kaori dial and button box",
+                                      .report_descriptor = wire::kDialBoxDescriptor,
+                                      .takes_output = true,
+                                      .chip_id = chip_id};
+  if (!IsFit(unit.stepping)) Refuse(identity, unit);
   surface::Updater updater(flash, {.slot = static_cast<surface::Slot>(ToldSlot()),
                                    .product = kProduct,
                                    .oldest_version = surface::kOldestVersion});
-  surface::DialBox box({.major = surface::kVersionMajor,
-                        .minor = surface::kVersionMinor,
-                        .counts_per_turn = wire::kDialCountsPerTurn,
-                        .hardware = kHardwareRp2040,
-                        .chip_id = chip_id},
-                       &updater);
+  surface::DialBox box(unit, &updater);
   UsbController usb;
-  surface::UsbDevice device({.vendor = wire::kDialBoxVendor,
-                             .product = wire::kDialBoxProduct,
-                             .release_bcd = surface::kVersionMajor << 8 | surface::kVersionMinor,
-                             .name = "Kaori dial and button box",
-                             .report_descriptor = wire::kDialBoxDescriptor,
-                             .takes_output = true,
-                             .chip_id = chip_id},
-                            box, usb);
+  surface::UsbDevice device(identity, box, usb);
   usb.Start();
   looked_at.store(&box, std::memory_order_release);
   StartLooking();

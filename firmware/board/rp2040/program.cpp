@@ -1,6 +1,10 @@
 #include "firmware/board/rp2040/program.h"
 
 #include "firmware/board/rp2040/registers.h"
+#include "firmware/board/rp2040/rom_flash.h"
+#include "firmware/board/rp2040/shift_registers.h"
+#include "firmware/board/rp2040/stepping.h"
+#include "firmware/surface/refusal.h"
 
 namespace kaori::rp2040 {
 
@@ -10,6 +14,20 @@ void StartLooking() {
   At(kSysTickReload) = kClockHz / kLooksPerSecond - 1;
   At(kSysTickValue) = 0;
   At(kSysTickControl) = 7;  // The processor's clock, with an interrupt.
+}
+
+wire::ChipStepping ReadStepping() {
+  Release(kResetSysInfo);
+  return SteppingOf(At(kChipId), RomVersion());
+}
+
+void Refuse(const surface::UsbIdentity& identity, const surface::Unit& unit) {
+  surface::Refusal refusal(unit);
+  UsbController usb;
+  surface::UsbDevice device(surface::RefusedIdentity(identity), refusal, usb);
+  usb.Start();
+  StartLooking();
+  Run(refusal, device, usb, [&] { ShiftRegisters::Exchange(refusal.Tick()); });
 }
 
 }  // namespace kaori::rp2040

@@ -6,6 +6,7 @@
 
 #include "firmware/board/rp2040/chip.h"
 #include "firmware/board/rp2040/usb_controller.h"
+#include "firmware/surface/service.h"
 #include "firmware/surface/usb_device.h"
 
 namespace kaori::rp2040 {
@@ -21,6 +22,12 @@ inline void CountLook() {
 }
 // From here on the timer calls Look.
 void StartLooking();
+
+// Of this chip. SYSINFO is in reset when the power comes, and is released here.
+wire::ChipStepping ReadStepping();
+// Instead of playing, on a chip that is not fit: shows the device to the host under a name that says so, answers its
+// feature report and blinks its lamps, until somebody wants a restart. Pins and shift registers are set up.
+[[noreturn]] void Refuse(const surface::UsbIdentity& identity, const surface::Unit& unit);
 
 // Serves USB at each look and calls `tick` a few thousand times a second, for ever: until the surface wants a
 // restart, or something stands still and the watchdog bites.

@@ -23,7 +23,7 @@ inline Register& ClearAt(std::uint32_t address) {
 inline constexpr std::uint32_t kResets = 0x4000C000, kResetDone = kResets + 8;
 inline constexpr std::uint32_t kResetIoBank = 1U << 5, kResetPads = 1U << 8, kResetPllSys = 1U << 12,
                                kResetPllUsb = 1U << 13, kResetSpi0 = 1U << 16, kResetSpi1 = 1U << 17,
-                               kResetUsb = 1U << 24;
+                               kResetSysInfo = 1U << 19, kResetUsb = 1U << 24;
 
 // Clocks (2.15.7), crystal (2.16.7), PLLs (2.18.4).
 inline constexpr std::uint32_t kClocks = 0x40008000;
@@ -64,6 +64,9 @@ inline constexpr std::uint32_t kUsbAddress = kUsb, kUsbMain = kUsb + 0x40, kUsbS
 inline constexpr std::uint32_t kSysTickControl = 0xE000E010, kSysTickReload = 0xE000E014,
                                kSysTickValue = 0xE000E018;
 inline constexpr std::uint32_t kVectorTable = 0xE000ED08;
+
+// Which chip it is (2.20.2), and the version of its ROM (2.8.3): the upper byte of the half at 0x12.
+inline constexpr std::uint32_t kChipId = 0x40000000, kRomVersionHalf = 0x12;
 
 // The flash's controller (4.10.13) and its select line (2.19.6.2).
 inline constexpr std::uint32_t kFlashControllerStatus = 0x18000028, kFlashControllerData = 0x18000060;

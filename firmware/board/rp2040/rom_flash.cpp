@@ -113,6 +113,10 @@ std::array<std::uint8_t, 8> RomFlash::UniqueId() {
   return id;
 }
 
+std::uint8_t RomVersion() {
+  return static_cast<std::uint8_t>(RomHalf(kRomVersionHalf) >> 8);
+}
+
 // The chip's own loader: it shows itself as a disk onto which an image can be copied.
 void StartRomLoader() {
   Rom<UsbBoot>(Code('U', 'B'))(0, 0);

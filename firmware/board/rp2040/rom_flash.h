@@ -22,6 +22,9 @@ class RomFlash final : public surface::Flash {
   std::array<std::uint8_t, 8> UniqueId();
 };
 
+// Which version of the ROM the chip has.
+std::uint8_t RomVersion();
+
 // Waits on USB for a new image, as with BOOTSEL held.
 [[noreturn]] void StartRomLoader();
 

@@ -8,6 +8,7 @@
 #include "firmware/board/rp2040/rom_flash.h"
 #include "firmware/board/rp2040/shift_registers.h"
 #include "firmware/board/rp2040/start.h"
+#include "firmware/board/rp2040/stepping.h"
 #include "firmware/board/rp2040/usb_controller.h"
 #include "firmware/surface/slots.h"
 #include "firmware/surface/stick_pod.h"
@@ -52,22 +53,24 @@ void Main() {
 
   RomFlash flash;
   const auto chip_id = flash.UniqueId();
+  const surface::Unit unit{.major = surface::kVersionMajor,
+                           .minor = surface::kVersionMinor,
+                           .hardware = kHardwareRp2040,
+                           .chip_id = chip_id,
+                           .stepping = ReadStepping()};
+  const surface::UsbIdentity identity{.vendor = wire::kStickPodVendor,
+                                      .product = wire::kStickPodProduct,
+                                      .release_bcd = surface::kVersionMajor << 8 | surface::kVersionMinor,
+                                      .name = "Kaori stick pod",
+                                      .report_descriptor = wire::kStickPodDescriptor,
+                                      .chip_id = chip_id};
+  if (!IsFit(unit.stepping)) Refuse(identity, unit);
   surface::Updater updater(flash, {.slot = static_cast<surface::Slot>(ToldSlot()),
                                    .product = kProduct,
                                    .oldest_version = surface::kOldestVersion});
-  surface::StickPod pod({.major = surface::kVersionMajor,
-                         .minor = surface::kVersionMinor,
-                         .hardware = kHardwareRp2040,
-                         .chip_id = chip_id},
-                        &updater, &flash);
+  surface::StickPod pod(unit, &updater, &flash);
   UsbController usb;
-  surface::UsbDevice device({.vendor = wire::kStickPodVendor,
-                             .product = wire::kStickPodProduct,
-                             .release_bcd = surface::kVersionMajor << 8 | surface::kVersionMinor,
-                             .name = "Kaori stick pod",
-                             .report_descriptor = wire::kStickPodDescriptor,
-                             .chip_id = chip_id},
-                            pod, usb);
+  surface::UsbDevice device(identity, pod, usb);
   usb.Start();
   StartLooking();
   Run(pod, device, usb, [&] { pod.Tick(ReadSwitches(), ReadAxes()); });

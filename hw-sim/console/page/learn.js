@@ -13,6 +13,18 @@ function makeCall(text, what, choice = () => 0) {
 }
 
 const isCall = (level) => level.startsWith('Call ');
+const isTurn = (level) => level === 'One turn of a dial';
+
+// Of the lesson of a turn, which is no control for a level.
+function doingTurn(learn) {
+  switch (kPhases[learn.phase]) {
+    case 'found': return `${learn.control} went ${learn.counts} counts. Was it one whole turn? Keep it, or turn once more.`;
+    case 'keeping': return `${learn.control} is being kept.`;
+    case 'kept': return `What one turn of ${learn.control} has is kept, for all dials of its device.`;
+    case 'refused': return `What one turn of ${learn.control} has could not be kept; the log says why.`;
+    default: return `Turn one dial once around, and let it stand.${hindrance(learn)}`;
+  }
+}
 
 // What hinders the search, if anything does.
 function hindrance(learn) {
@@ -23,6 +35,7 @@ function hindrance(learn) {
 // In words what was found, or what is to be done.
 function doing(learn, level, inService) {
   if (!learn) return inService ? 'Pick a level or a call, press Teach, and move the control or push the button that is to play it.' : 'Turn the service key on to teach.';
+  if (isTurn(level)) return doingTurn(learn);
   const control = `${learn.control}${learn.inverted ? ', inverted,' : ''}`;
   switch (kPhases[learn.phase]) {
     case 'found': return `${level}: ${control} is to ${isCall(level) ? 'make' : 'play'} it${learn.instead ? ', in place of what it does now' : ''}. Keep it?`;
@@ -49,7 +62,7 @@ export function makeLearn(parent, {teachable}) {
     const found = ['found', 'refused'].includes(kPhases[learn?.phase]);
     begin.disabled = select.disabled = !inService || !now;
     keep.disabled = !found;
-    turn.disabled = !found || isCall(level);
+    turn.disabled = !found || isCall(level) || isTurn(level);
     end.disabled = !learn;
     const text = doing(learn, level, inService);
     if (words.textContent !== text) words.textContent = text;

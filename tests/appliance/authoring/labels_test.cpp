@@ -111,7 +111,8 @@ TEST_F(AuthoredLabels, NameTheLevelsOfSingleFaces) {
   EXPECT_EQ(labels_.levels.back().text, "Face face 2");
   const std::size_t items = show_.cast.faces.size() + show_.cast.expressions.size();
   const auto calls = roles::TeachableCalls(roles::ItemsOf(show_));
-  ASSERT_EQ(labels_.teachable.size(), show::kNamedLevels + items + calls.size());
+  ASSERT_EQ(labels_.teachable.size(), show::kNamedLevels + items + calls.size() + 1)
+      << "the last is the turn of a dial";
   EXPECT_EQ(labels_.teachable[show::kNamedLevels + items], "Call GO");
   EXPECT_EQ(labels_.teachable[show::kNamedLevels + items + show::kCueVerbCount],
             Readable("call face " + show_.cast.faces[0].name));

@@ -80,6 +80,14 @@ TEST(Profile, ADialBoxOnASerialLineIsNamedWithItsKind) {
   EXPECT_EQ(DialsEnvironmentOf(ReadProfile("")), "KAORI_DIALS=\n");
   EXPECT_EQ(DialsEnvironmentOf(ReadProfile("dial_box = \"/dev/ttyUSB0=dls80\"\ndial_box_counts = 200")),
             "KAORI_DIALS=--serial /dev/ttyUSB0=dls80 --counts-per-turn 200\n");
+  EXPECT_EQ(DialsEnvironmentOf(ReadProfile("dial_lines = \"gpiochip0:4,5,16,17\"\ndial_box_counts = 96")),
+            "KAORI_DIALS=--dials gpiochip0:4,5,16,17 --counts-per-turn 96\n");
+  for (const char* wrong :
+       {"gpiochip0", "gpiochip0:4", "gpiochip0:4,5,6", "gpiochip0:4,,5", "gpiochip0:,4,5", ":4,5",
+        "gpiochip0:4,x", "gpio chip:4,5", "$HOME:4,5", "g:1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18"})
+    EXPECT_THAT(ReadProfile("dial_lines = \"" + std::string(wrong) + "\"").fault,
+                HasSubstr("line 1: expected a GPIO chip and two lines for each dial"))
+        << wrong;
   for (const char* wrong : {"0", "1048577", "\"200\"", "200.5", ""})
     EXPECT_THAT(ReadProfile("dial_box_counts = " + std::string(wrong)).fault,
                 HasSubstr("line 1: expected how many counts a turn has, a whole number from 1 to 1048576"));

@@ -10,6 +10,7 @@
 
 #include "drivers/gpio/dial_bus.h"
 #include "tests/appliance/programs/input_fixture.h"
+#include "tests/appliance/programs/input_turn_lesson.h"
 
 namespace kaori::input {
 namespace {
@@ -78,7 +79,8 @@ class GpioDials : public ::testing::Test {
                clock_)
                .value();
     service_.emplace(board_, InputWriters::Acquire(board_).value(),
-                     InputSources{.buses = {bus_.get()}, .lines = {}}, InputSettings{}, clock_);
+                     InputSources{.buses = {bus_.get()}, .lines = {}, .turns = file_.folder() / "turns.toml"},
+                     InputSettings{}, clock_);
     Play(milliseconds(5));
   }
   void Play(Duration time) {
@@ -104,6 +106,18 @@ TEST_F(GpioDials, TurnsReachTheBoard) {
   EXPECT_EQ(Surface().source, board::SourceState::kLive);
   EXPECT_EQ(Surface().value.counts[0], 256);
   EXPECT_EQ(Surface().value.counts[1], -100);
+}
+
+TEST_F(GpioDials, AnEncoderOfTwentyFourStepsIsLearntFromOneTurn) {
+  TurnLesson lesson(board_);
+  chip_.Turn(1, 96, clock_.now());
+  Play(milliseconds(5));
+  EXPECT_EQ(lesson.Keep(1, 96, clock_.now(), [this] { Play(milliseconds(5)); }), board::LearnCall::kTurnKept);
+  chip_.Turn(1, 48, clock_.now());
+  chip_.Turn(0, -96, clock_.now());
+  Play(milliseconds(5));
+  EXPECT_EQ(Surface().value.counts[1], 96 + 128);
+  EXPECT_EQ(Surface().value.counts[0], -256);
 }
 
 TEST_F(GpioDials, WhatTheChipDroppedMovesNothingAndIsSaidOnce) {

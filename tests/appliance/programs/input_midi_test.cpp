@@ -14,6 +14,7 @@
 #include "drivers/midi/midi_bus.h"
 #include "hw-sim/devices/midi_twin.h"
 #include "tests/appliance/programs/input_owned_fixture.h"
+#include "tests/appliance/programs/input_turn_lesson.h"
 
 namespace kaori::input {
 namespace {
@@ -56,7 +57,11 @@ class MidiSurfaces : public OwnedDevices {
                                 known_, clock_, &tap_)
                 .value();
     service_.emplace(board_, InputWriters::Acquire(board_).value(),
-                     InputSources{.buses = {midi_.get()}, .lines = {}, .maps = maps_, .midi = &tap_},
+                     InputSources{.buses = {midi_.get()},
+                                  .lines = {},
+                                  .maps = maps_,
+                                  .midi = &tap_,
+                                  .turns = file_.folder() / "turns.toml"},
                      settings_, clock_);
   }
   // The kernel passes a terminal's bytes on by itself.
@@ -93,6 +98,21 @@ class MidiSurfaces : public OwnedDevices {
   std::vector<midi::KnownSurface> known_;
   std::unique_ptr<midi::MidiBus> midi_;
 };
+
+TEST_F(MidiSurfaces, WhatTheFileSaysOfATurnIsMendedByALesson) {
+  sim::MidiTwin twister(sim::MidiTwin::Kind::kTwister);
+  PlugMidi("2580", "0007");
+  StartMidi();
+  PlayMidi(twister, 10);
+  twister.Turn(0, 48);
+  PlayMidi(twister, 5);
+  ASSERT_EQ(Board().surface.value.counts[0], 128) << "the file says 96 of a turn";
+  TurnLesson lesson(board_);
+  EXPECT_EQ(lesson.Keep(0, 128, clock_.now(), [&] { PlayMidi(twister, 5); }), board::LearnCall::kTurnKept);
+  twister.Turn(0, 48);
+  PlayMidi(twister, 5);
+  EXPECT_EQ(Board().surface.value.counts[0], 128 + 256) << "encoders of another make were built in";
+}
 
 TEST_F(MidiSurfaces, ATwisterIsPutIntoItsModeAndItsEncodersTurnDials) {
   sim::MidiTwin twister(sim::MidiTwin::Kind::kTwister);

@@ -6,6 +6,7 @@
 #include "drivers/serial/serial_bus.h"
 #include "hw-sim/links/serial/pty_port.h"
 #include "tests/appliance/programs/input_fixture.h"
+#include "tests/appliance/programs/input_turn_lesson.h"
 
 namespace kaori::input {
 namespace {
@@ -33,7 +34,8 @@ class SerialBox : public ::testing::TestWithParam<Kind> {
                                    clock_)
                .value();
     service_.emplace(board_, InputWriters::Acquire(board_).value(),
-                     InputSources{.buses = {bus_.get()}, .lines = {}}, InputSettings{}, clock_);
+                     InputSources{.buses = {bus_.get()}, .lines = {}, .turns = file_.folder() / "turns.toml"},
+                     InputSettings{}, clock_);
   }
   // In steps of a millisecond. The kernel passes a terminal's bytes on by itself, so that they are awaited in real time.
   void Play(Duration time) {
@@ -70,6 +72,26 @@ class SerialBox : public ::testing::TestWithParam<Kind> {
 };
 
 INSTANTIATE_TEST_SUITE_P(All, SerialBox, ::testing::Values(Kind::kSgi, Kind::kSpectragraphics, Kind::kDls80));
+
+TEST_P(SerialBox, WhatOneTurnHasIsLearntFromATurnOfAHand) {
+  PlugIn();
+  const auto turn = [&](int counts) {
+    const std::int32_t before = Surface().value.counts[4];
+    for (; counts > 0; counts -= 20) {
+      box_.Turn(4, std::min(counts, 20));
+      Play(milliseconds(30));
+    }
+    return Surface().value.counts[4] - before;
+  };
+  turn(1);
+  const std::int32_t turned = turn(198);
+  EXPECT_EQ(turned, 198);
+  TurnLesson lesson(board_);
+  EXPECT_EQ(
+      lesson.Keep(4, static_cast<std::uint32_t>(turned), clock_.now(), [this] { Play(milliseconds(5)); }),
+      board::LearnCall::kTurnKept);
+  EXPECT_EQ(turn(200), 256) << "a box of 200 counts, as VRPN says of the SN-921";
+}
 
 TEST_P(SerialBox, TurnsAndPushesReachTheBoardAndLampsTheBox) {
   RecordProperty("twin", "serial box " + std::to_string(static_cast<int>(GetParam())));

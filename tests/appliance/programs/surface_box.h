@@ -14,6 +14,7 @@
 
 #include "appliance/programs/surface/surface_update.h"
 #include "firmware/surface/dial_box.h"
+#include "firmware/surface/refusal.h"
 #include "firmware/surface/sha256.h"
 #include "firmware/surface/slots.h"
 #include "firmware/surface/updater.h"
@@ -76,9 +77,13 @@ class Box final : public ports::HidBus {
       PowerOff(std::chrono::milliseconds(100));
     if (!firmware_ && now >= back_at_) PowerOn();
   }
+  bool refuses() const { return version == refusing_version; }
   bool answers() const {
     return firmware_.has_value() && !(version == deadly_version && deadly_after == Duration::zero());
   }
+
+  // What its lamps show at one tick.
+  std::uint32_t lamps_now() { return firmware_->Tick(0); }
 
   int pollable() const override { return -1; }
   Result<std::vector<std::string>> Ports() override {
@@ -91,7 +96,8 @@ class Box final : public ports::HidBus {
   std::uint32_t version = 0;
   std::uint32_t deadly_version = 0;  // An image of this version dies so long after its start.
   Duration deadly_after{};
-  bool confirms = true;  // Otherwise kKeep is refused.
+  bool confirms = true;                // Otherwise kKeep is refused.
+  std::uint32_t refusing_version = 0;  // An image of this version finds its chip too old.
 
  private:
   friend class BoxChannel;
@@ -112,7 +118,11 @@ class BoxChannel final : public ports::HidChannel {
   Result<std::size_t> GetFeature(std::span<std::uint8_t> into) override {
     if (!is_there()) return Gone();
     std::array<std::uint8_t, surface::kPacketBytes> answer{};
-    const std::size_t bytes = box_.firmware_->Answer(surface::ReportKind::kFeature, answer);
+    surface::Refusal refusal(
+        {.major = static_cast<std::uint16_t>(box_.version >> 16U), .stepping = wire::ChipStepping::kB1});
+    surface::HidFunction& firmware =
+        box_.refuses() ? static_cast<surface::HidFunction&>(refusal) : *box_.firmware_;
+    const std::size_t bytes = firmware.Answer(surface::ReportKind::kFeature, answer);
     std::copy_n(answer.begin(), bytes, into.begin() + 1);
     return 1 + bytes;
   }

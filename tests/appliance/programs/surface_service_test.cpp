@@ -57,6 +57,16 @@ TEST(SurfaceUpdateService, TheLastDialBoxOfARunningShowWaitsForTheEndAndIsNamedO
   EXPECT_EQ(box.version, kVersion2);
 }
 
+TEST(SurfaceUpdateService, ASurfaceThatRefusesForItsChipsSakeIsLeftAlone) {
+  Box box;
+  box.refusing_version = kVersion1;
+  UpdateService service(box, {MakeUpdate(kVersion2)});
+  const auto operations = box.flash.operations();
+  PlayService(service, box, kInService, minutes(1));
+  EXPECT_EQ(box.flash.operations(), operations);
+  EXPECT_FALSE(service.is_updating());
+}
+
 TEST(SurfaceUpdateService, WhatAChipDidNotTakeIsNotTriedOnItAgain) {
   Box box;
   box.deadly_version = kVersion2;

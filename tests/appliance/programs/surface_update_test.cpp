@@ -70,6 +70,35 @@ TEST(SurfaceUpdate, AnImageThatIsNeverConfirmedIsSaidAndTheOneBeforePlaysAgain) 
   EXPECT_EQ(box.version, kVersion1);
 }
 
+TEST(SurfaceUpdate, AnImageThatFindsItsChipTooOldIsNotConfirmedAndTheOneBeforePlaysAgain) {
+  Box box;
+  box.refusing_version = kVersion2;
+  const UpdateFile file = MakeUpdate(kVersion2);
+  SurfaceUpdate update(box, "1-4.1", file);
+  RunToItsEnd(update, box);
+  EXPECT_THAT(update.outcome(),
+              HasSubstr("with the new image it refuses to play: its chip is an RP2040 B1, and "
+                        "only B2 and later ones may be used"));
+  EXPECT_FALSE(surface::IsKept(box.flash, surface::Slot::kB));
+  for (int starts = 0; starts < 3; ++starts) box.PowerOn();
+  EXPECT_EQ(box.version, kVersion1);
+}
+
+TEST(SurfaceUpdate, ASurfaceThatRefusesIsGivenNothingAndCountsForNoDialBox) {
+  Box box;
+  box.refusing_version = kVersion1;
+  const auto operations = box.flash.operations();
+  const UpdateFile file = MakeUpdate(kVersion2);
+  SurfaceUpdate update(box, "1-4.1", file);
+  RunToItsEnd(update, box);
+  EXPECT_THAT(update.outcome(), HasSubstr("was not updated: it refuses to play: its chip is an RP2040 B1"));
+  EXPECT_EQ(box.flash.operations(), operations);
+  const auto channel = box.Open("1-4.1");
+  EXPECT_FALSE(IsPlayingDialBox((*channel)->identity(), ReadStatus(**channel)));
+  box.refusing_version = 0;
+  EXPECT_TRUE(IsPlayingDialBox((*channel)->identity(), ReadStatus(**channel)));
+}
+
 TEST(SurfaceUpdate, AnImageOfAnotherProductIsRefusedAndChangesNothing) {
   Box box;
   const UpdateFile file = MakeUpdate(kVersion2, 0x12090002);

@@ -135,6 +135,30 @@ std::uint64_t ProveDefects(std::uint32_t flips) {
   return used;
 }
 
+std::uint64_t ProveTrials(std::uint32_t rounds) {
+  std::uint64_t wrong = 0;
+  const auto want = [&](bool right) { wrong += right ? 0 : 1; };
+  for (std::uint32_t round = 0; round < rounds; ++round) {
+    Nor flash;
+    Deliver(flash, round);
+    surface::Updater updater(flash, {.slot = surface::Slot::kA, .product = kProduct, .oldest_version = 1});
+    const Bytes image = MakeImage(2, round);
+    auto other = Describe(image, 2);
+    other.sha256[round % other.sha256.size()] ^= 1;
+    want(updater.Begin(other) && !updater.Data(1, image) && updater.Data(0, image) && !updater.End());
+    want(Start(flash).version == 1);
+    want(Send(updater, image, 2));
+    // Three tries; in each of them a further image is refused, and the confirmed one stays where it is.
+    for (int start = 0; start < 3; ++start) {
+      want(Start(flash).version == 2);
+      surface::Updater tried(flash, {.slot = surface::Slot::kB, .product = kProduct, .oldest_version = 1});
+      want(!Send(tried, MakeImage(3, round), 3) && surface::ReadHeader(flash, surface::Slot::kA));
+    }
+    for (int start = 0; start < 3; ++start) want(Start(flash).version == 1);
+  }
+  return wrong;
+}
+
 FlashProof ProveCuts(std::uint32_t rounds) {
   FlashProof proof;
   for (std::uint32_t round = 0; round < rounds; ++round) {

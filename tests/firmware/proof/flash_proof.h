@@ -12,6 +12,10 @@ struct FlashProof {
       0;  // It starts an image that was never confirmed after the confirmed one came back, or older ones.
   std::uint64_t lost = 0;  // What was stored is neither the old nor the new bytes.
 };
+// Updates that must not be taken, or not stay: a wrong hash, data out of order, a second image while the first is only tried, an
+// image that nobody confirms. Returns how often one was, or left a surface without the image that it had.
+std::uint64_t ProveTrials(std::uint32_t rounds);
+
 // Flips single bits of images, headers and stored bytes by chance: what is damaged is not used. Returns how often it was.
 std::uint64_t ProveDefects(std::uint32_t flips);
 

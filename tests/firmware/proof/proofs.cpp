@@ -58,6 +58,9 @@ DialProof ProveDials(std::uint64_t edges, std::uint32_t seed) {
   std::array<std::uint32_t, wire::kDials> expected{};
   std::array<std::int32_t, wire::kDials> way{1, -1, 1, -1, 1, -1, 1, -1};
   std::uint32_t doubles = 0;
+  // Where they stand when the power comes counts nothing.
+  for (std::size_t dial = 0; dial < expected.size(); ++dial)
+    hand.Turn(dial, static_cast<std::int32_t>(dice.Throw(4)));
   dials.Look(hand.lines());
   while (proof.edges < edges) {
     // Which dials go one count at this look; at full speed that is all of them.
@@ -115,6 +118,26 @@ ButtonProof ProveButtons(std::uint32_t changes, std::uint32_t bouncing_looks, st
   return proof;
 }
 
+namespace {
+
+// Anywhere on its way, with half a code of noise, for half a second. It comes to rest within the first tenth of it.
+std::uint64_t ReportsOfASliderThatLies(Dice& dice) {
+  constexpr surface::AxisEnds kEnds;
+  constexpr std::uint32_t kSamples = 2000;
+  surface::AxisFilter filter;
+  surface::AxisGate gate;
+  std::uint64_t reports = 0;
+  const std::uint32_t lies = 500 + dice.Throw(3000);
+  for (std::uint32_t n = 0; n < kSamples; ++n) {
+    if (!filter.Sample(static_cast<std::uint16_t>(lies + dice.Throw(2)))) continue;
+    const bool is_told = gate.Accept(surface::SliderValue(filter.value_q4(), kEnds), 0, 65535);
+    reports += is_told && n > kSamples / 5 ? 1 : 0;
+  }
+  return reports;
+}
+
+}  // namespace
+
 AxisProof ProveAxes(std::uint32_t rounds, std::uint32_t seed) {
   constexpr surface::AxisEnds kEnds;
   constexpr std::uint16_t kRestCode = kEnds.centre / 4;
@@ -130,8 +153,16 @@ AxisProof ProveAxes(std::uint32_t rounds, std::uint32_t seed) {
   for (std::uint32_t round = 0; round < rounds; ++round) {
     // At rest, trembling: nothing is told.
     if (run(kRestCode, 30) != 0) ++proof.wrong;
+    surface::AxisGate resting;
     for (int n = 0; n < 50; ++n)
-      if (surface::HasMoved(0, run(kRestCode, 1), -32767, 32767)) ++proof.reports_at_rest;
+      if (resting.Accept(run(kRestCode, 1), -32767, 32767)) ++proof.reports_at_rest;
+    proof.reports_at_rest += ReportsOfASliderThatLies(dice);
+    // Neither is one sample that is far off, wherever among the four of a sum it comes.
+    run(kRestCode, 10);
+    for (std::uint32_t n = dice.Throw(4); n > 0; --n) filter.Sample(kRestCode);
+    filter.Sample(static_cast<std::uint16_t>(dice.OneIn(2) ? 4095 : 0));
+    for (int n = 0; n < 10; ++n)
+      if (run(kRestCode, 1) != 0) ++proof.wrong;
     // A step to a side.
     const auto code =
         static_cast<std::uint16_t>(dice.OneIn(2) ? 200 + dice.Throw(1500) : 2400 + dice.Throw(1500));
@@ -148,6 +179,15 @@ AxisProof ProveAxes(std::uint32_t rounds, std::uint32_t seed) {
         proof.longest_ms = ms + 2;
     }
   }
+  // A slow turn is told in fine steps.
+  surface::AxisGate gate;
+  std::int32_t finest = 65536;
+  for (std::int32_t way = 0; way < 3000; ++way) {
+    const std::int32_t before = gate.told();
+    if (gate.Accept(5000 + 3 * way, -32767, 32767) && way > 0 && gate.told() - before < finest)
+      finest = gate.told() - before;
+  }
+  if (finest > 6) ++proof.wrong;
   // The ends are reached, and nothing is beyond them.
   if (run(1, 40) != -32767 || run(4094, 40) != 32767) ++proof.wrong;
   if (surface::SliderValue(0, kEnds) != 0 || surface::SliderValue(16380 << 4, kEnds) != 65535) ++proof.wrong;

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "appliance/core/show/level.h"
+
 namespace kaori::agent {
 namespace {
 
@@ -71,6 +73,13 @@ std::string CuesAsJson(const board::Stamped<board::ShowNow>& show) {
                      show.value.cue_standby, show.value.cue_pending);
 }
 
+// Where the head and the gaze are, as the stage plays them now.
+std::string AimAsJson(const board::ShowNow& show) {
+  const auto at = [&](show::Level level) { return show.levels[static_cast<std::size_t>(level)].value; };
+  return fmt::format(R"({{"head_yaw":{},"gaze_yaw":{}}})", at(show::Level::kHeadYaw),
+                     at(show::Level::kGazeYaw));
+}
+
 // The code that the screen shows; -1 where it shows none.
 std::int64_t DeskCode(const board::Stamped<board::Desk>& desk) {
   return desk.source == board::SourceState::kLive ? std::int64_t{desk.value.code} : -1;
@@ -83,14 +92,14 @@ std::string BoardAsJson(const board::Board& board, const Clock& clock) {
   const auto pointer = board.Read<board::Pointer>();
   return fmt::format(
       R"({{"now_ns":{},"surface":{},"left":{},"right":{},"keys":{{{},"down":[{}]}},"pointer":{{{},"x":{},"y":{}}},)"
-      R"("lines":{},"lips":{},"voice":{},"lamps":{},"stage":{},"cues":{},"desk_code":{}}})",
+      R"("lines":{},"lips":{},"voice":{},"lamps":{},"stage":{},"cues":{},"aim":{},"desk_code":{}}})",
       Nanoseconds(clock.now()), SurfaceAsJson(board.Read<board::Surface>()),
       StickAsJson(board.Read<board::Stick>(0)), StickAsJson(board.Read<board::Stick>(1)), Head(keys),
       fmt::join(keys.value.down, ","), Head(pointer), pointer.value.x, pointer.value.y,
       LinesAsJson(board.Read<board::Lines>()), LipsAsJson(board.Read<board::Lips>()),
       VoiceAsJson(board.Read<board::Voice>()), board.Read<board::Lamps>().value.lit,
       StageAsJson(board.Read<board::StageStatus>()), CuesAsJson(board.Read<board::ShowNow>()),
-      DeskCode(board.Read<board::Desk>()));
+      AimAsJson(board.Read<board::ShowNow>().value), DeskCode(board.Read<board::Desk>()));
 }
 
 std::string WatchEvents(const board::Board& board, const Clock& clock, Duration length) {
