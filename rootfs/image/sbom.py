@@ -38,6 +38,7 @@ MADE = (f"{SHARED}/ahead", f"{SHARED}/shaders", f"{BOOT}/EFI/Linux/kaori-")
 BOARD_MADE, BOARD_OWN = ("kernel.img", "cmdline.txt", ".dtb"), ("config.txt", "autoboot.txt")
 SHOW = (f"{SHARED}/kaori.kaori", f"{SHARED}/still.ppm")
 OWN = (f"{SHARED}/surfaces/", f"{SHARED}/firmware/", f"{BOOT}/loader/")
+VERSION = f"{SHARED}/version"  # From the overlay; the build writes number and product into it.
 LOADERS = "usr/lib/systemd/boot/efi"  # In Debian's package.
 KEYS = (f"{SHARED}/keys/", f"{SHARED}/update-keys/", f"{BOOT}/loader/keys/")
 GPU_FIRMWARE = "usr/lib/firmware/"
@@ -131,6 +132,8 @@ def owner(places, owners, path):
         return "keys"
     if path.startswith(GPU_FIRMWARE):
         return "gpu-firmware"
+    if path == VERSION:
+        return "own"
     if os.path.lexists(places.overlay / path):
         return "own" if is_same(here, places.overlay / path) else None
     if path.startswith(OWN) or os.path.dirname(path) == "usr/bin" and (places.programs / os.path.basename(path)).is_file():
