@@ -12,6 +12,7 @@
 namespace kaori::authoring {
 namespace {
 
+// The box reads the same file, in its verified root, before it takes an update: what a bundle says is what its image says.
 constexpr std::string_view kVersionFile = "root/usr/share/kaori/version";
 
 show::Checksum ChecksumOf(std::span<const std::uint8_t> bytes) {
@@ -29,6 +30,7 @@ std::array<std::filesystem::path, update::kParts> PartFiles(const std::filesyste
           image / "boot/EFI/Linux/kaori-b.efi"};
 }
 
+// A line of its own behind the two that every image has.
 Result<std::string> ProductOf(const std::filesystem::path& image) {
   constexpr std::string_view kWord = "\nproduct ";
   const auto text = ReadFile(image / kVersionFile);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kMost_bytes = 256;
 
-// What follows a word on the line that begins with it.
+// What follows a word on the line that begins with it, wherever that stands; a root of before has fewer lines, and a newer one may have
+// more.
 std::optional<std::string_view> AfterWord(std::string_view text, std::string_view word) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
@@ -22,6 +23,7 @@ std::optional<std::string_view> AfterWord(std::string_view text, std::string_vie
   return std::nullopt;
 }
 
+// None where there is no such line, or something else than a number on it.
 std::optional<std::uint32_t> NumberOf(std::string_view text, std::string_view word) {
   const auto number = AfterWord(text, word);
   return number ? ParseNumber<std::uint32_t>(*number) : std::nullopt;
