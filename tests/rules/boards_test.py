@@ -19,6 +19,7 @@ import fat  # noqa: E402
 import first_picture  # noqa: E402
 import pack  # noqa: E402
 import pi_boot  # noqa: E402
+import sbom  # noqa: E402
 import sizes  # noqa: E402
 
 PI = boards.NAMED["rpi4"]
@@ -160,6 +161,28 @@ class Disk(WithFolder):
     def test_the_data_get_what_the_others_leave(self):
         others = sum(size for name, size, _, _ in pack.laid_out(None, PI) if name != "data")
         self.assertEqual(dict((name, size) for name, size, _, _ in pack.laid_out(2000, PI))["data"], 2000 - 2 - others)
+
+
+class Listed(WithFolder):
+    """Whose each file of an image for a board is."""
+
+    def owners(self, *paths):
+        places = sbom.Places(None, self.folder / "image", None, None, (), None, None, PI, self.folder / "mesa")
+        return [sbom.owner_on_board(places, path) for path in paths]
+
+    def test_what_the_firmware_reads_is_the_makers_ours_or_made(self):
+        self.assertEqual(self.owners("boot/a/start4.elf", "boot/b/LICENCE.broadcom", "boot/a/config.txt", "boot/chooser/autoboot.txt",
+                                     "boot/a/kernel.img", "boot/b/bcm2711-rpi-4-b.dtb", "boot/a/start.elf"),
+                         ["board-firmware", "board-firmware", "own", "own", "made", "made", None])
+
+    def test_mesa_is_that_which_was_built(self):
+        driver = "usr/lib/aarch64-linux-gnu/dri/v3d_dri.so"
+        for place, content in (("mesa/root", "v3d"), ("image/root", "v3d")):
+            (self.folder / place / driver).parent.mkdir(parents=True)
+            (self.folder / place / driver).write_text(content)
+        self.assertEqual(self.owners(driver, "usr/lib/aarch64-linux-gnu/libc.so.6"), ["mesa", None])
+        (self.folder / "image/root" / driver).write_text("another")
+        self.assertEqual(self.owners(driver), [None])
 
 
 class FirstPicture(unittest.TestCase):
