@@ -21,15 +21,18 @@ constexpr std::uint32_t kLast = 0x0FFFFFF8;          // From here on an entry en
 constexpr std::uint8_t kLongName = 0x0F;             // An attribute: the entry is a part of a long name.
 constexpr std::uint64_t kMostTable_sectors = 16384;  // 8 MiB, for a partition of 1 GiB.
 constexpr std::size_t kMostFolder_sectors = 64;      // More than an image's folders ever have.
+constexpr std::string_view kAutoboot = "AUTOBOOTTXT";
 
 using Bytes = std::vector<std::uint8_t>;
 
+// Little-endian, as all numbers of a FAT are.
 std::uint32_t NumberAt(const Bytes& bytes, std::size_t at, std::size_t length) {
   std::uint32_t value = 0;
   for (std::size_t i = length; i-- > 0;) value = value << 8U | bytes[at + i];
   return value;
 }
 
+// All that can be wrong with the partition has one cause, since it has one remedy: the disk is written anew.
 tl::unexpected<Error> Wrong(std::string_view what) {
   return Fail(std::errc::bad_message, "the partition boot: " + std::string(what));
 }
@@ -66,10 +69,12 @@ class Volume {
     std::vector<std::uint64_t> folders;
     for (const std::string_view name : names) {
       folders.push_back(data_at_ + cluster - 2);
-      auto entry = EntryOf(cluster, name);
-      if (!entry) return tl::unexpected(entry.error());
-      cluster = NumberAt(*entry, 20, 2) << 16U | NumberAt(*entry, 26, 2);
-      bytes = NumberAt(*entry, 28, 4);
+      const auto looked = EntryOf(cluster, name);
+      if (!looked) return tl::unexpected(looked.error());
+      if (!*looked) return Wrong("it has no " + std::string(name));
+      const Bytes& entry = **looked;
+      cluster = NumberAt(entry, 20, 2) << 16U | NumberAt(entry, 26, 2);
+      bytes = NumberAt(entry, 28, 4);
     }
     const std::size_t wanted = (bytes + kSector_bytes - 1) / kSector_bytes;
     const auto chain = ChainOf(cluster, wanted + 1);
@@ -83,6 +88,11 @@ class Volume {
     if (std::ranges::any_of(folders, is_its)) return Wrong("a folder lies in a file");
     if ((chain.back() + 1) * kSector_bytes > partition_->bytes()) return Wrong("a file lies behind its end");
     return Extent{chain[0] * kSector_bytes, bytes};
+  }
+
+  // Whether the folder at its root has an entry of this short name.
+  Result<bool> Has(std::string_view name) {
+    return EntryOf(root_, name).map([](const std::optional<Bytes>& entry) { return entry.has_value(); });
   }
 
  private:
@@ -99,7 +109,9 @@ class Volume {
     return sectors;
   }
 
-  Result<Bytes> EntryOf(std::uint32_t folder, std::string_view name) {
+  // The entry that a folder has of a short name; none where it has no such. Parts of long names are passed over: their letters
+  // are no name.
+  Result<std::optional<Bytes>> EntryOf(std::uint32_t folder, std::string_view name) {
     for (const std::uint64_t sector : ChainOf(folder, kMostFolder_sectors)) {
       const auto content = ReadSectors(*partition_, sector, 1);
       if (!content) return tl::unexpected(content.error());
@@ -110,7 +122,7 @@ class Volume {
           return Bytes(entry, entry + kEntry_bytes);
       }
     }
-    return Wrong("it has no " + std::string(name));
+    return std::optional<Bytes>();
   }
 
   ports::BlockDevice* partition_;
@@ -156,12 +168,29 @@ Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot) {
   return kernel;
 }
 
+// A file of another length would be written past its end, or keep a rest of what it said before.
 Result<Extent> FindSettings(ports::BlockDevice& partition) {
   auto volume = Volume::Open(partition);
   if (!volume) return tl::unexpected(volume.error());
   auto settings = SettingsOf(*volume);
   if (settings && settings->bytes != kSettings_bytes) return Wrong("loader.conf does not fill one sector");
   return settings;
+}
+
+// By the folder alone: a file autoboot.txt that is damaged is still one, and is then refused by its own name.
+Result<bool> HasAutoboot(ports::BlockDevice& partition) {
+  auto volume = Volume::Open(partition);
+  if (!volume) return tl::unexpected(volume.error());
+  return volume->Has(kAutoboot);
+}
+
+// Longer than a sector the firmware does not read it, and no single write would change it.
+Result<Extent> FindAutoboot(ports::BlockDevice& partition) {
+  auto volume = Volume::Open(partition);
+  if (!volume) return tl::unexpected(volume.error());
+  auto autoboot = volume->Find({kAutoboot});
+  if (autoboot && autoboot->bytes > kSettings_bytes) return Wrong("autoboot.txt does not lie in one sector");
+  return autoboot;
 }
 
 }  // namespace kaori::loader

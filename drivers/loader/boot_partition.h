@@ -30,4 +30,11 @@ Result<Extent> FindKernel(ports::BlockDevice& partition, ports::Slot slot);
 // loader/loader.conf, which is one sector. Errors: as FindKernel.
 Result<Extent> FindSettings(ports::BlockDevice& partition);
 
+// Whether a Raspberry Pi's firmware starts from it: it has a file autoboot.txt then, and else what systemd-boot reads. Errors: as
+// FindKernel.
+Result<bool> HasAutoboot(ports::BlockDevice& partition);
+
+// autoboot.txt, which is in one sector and may be shorter. Errors: as FindKernel.
+Result<Extent> FindAutoboot(ports::BlockDevice& partition);
+
 }  // namespace kaori::loader

@@ -21,6 +21,8 @@ struct Settings {
   std::size_t letter_at = 0;
 };
 
+// The one letter that names a slot. A second line "default" is refused: the loader takes the last of them, and a change of the
+// first would change nothing.
 Result<Settings> ReadSettings(ports::BlockDevice& partition) {
   const auto place = FindSettings(partition);
   if (!place) return tl::unexpected(place.error());

@@ -2,11 +2,13 @@
 """Makes the box's root: what keep.txt names of Debian's packages, our programs, our own files, and every library
 that any of these links to, but for those of stand_ins.txt, which are replaced by empty ones.
 
-    assemble.py ARCHITECTURE PACKAGES KEEP STAND_INS OVERLAY ROOT PROGRAM...
+    assemble.py [--board NAME --mesa FOLDER] ARCHITECTURE PACKAGES KEEP STAND_INS OVERLAY ROOT PROGRAM...
 
-What only one kind of processor has is in a file beside KEEP: keep-amd64.txt.
+What only one kind of processor has is in a file beside KEEP: keep-amd64.txt. A board has a file of its own in that one's place, and
+the Mesa in FOLDER (mesa/build) in place of Debian's.
 """
 
+import argparse
 import fnmatch
 import os
 import shutil
@@ -16,10 +18,12 @@ from pathlib import Path
 
 from debs import MERGED, merged
 import architectures
+import boards
 import stand_in
 
 # What the stage opens besides its libraries, in its order, in their folder; then the show.
 OPENED = ("libEGL_mesa.so.0", "dri/swrast_dri.so")
+MESA = ("*/dri/*_dri.so", "*/libEGL_mesa.so.*", "*/libgbm.so.*", "*/libglapi.so.*", "*/drirc.d/*", "*/egl_vendor.d/*")
 AHEAD = "usr/share/kaori/ahead"
 LARGE_BYTES = 8 << 20  # Of LLVM and of Mesa's drivers a third is looked at until the first picture.
 MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var/lib/kaori")
@@ -33,6 +37,12 @@ def index(packages):
             path = os.path.join(folder, name)
             found[merged(os.path.relpath(path, packages))] = path
     return found
+
+
+def with_mesa(files, mesa):
+    """The files with another Mesa in place of all of Debian's, so that none of its parts meets one of the other."""
+    others = {name: path for name, path in files.items() if not any(fnmatch.fnmatch(name, pattern) for pattern in MESA)}
+    return {**others, **index(mesa)}
 
 
 def lines_of(path):
@@ -101,12 +111,12 @@ def linked(path):
     return [(0, code), *written]
 
 
-def write_ahead(stage, files, replaced, root, arch):
+def write_ahead(stage, files, replaced, root, arch, opened=OPENED):
     """What the first program reads ahead for the stage: the programs that it loads, about in their order, and of large
     ones what the dynamic linker reads.
 
     Not the show: of that it looks at a small part only."""
-    waiting = [find_library(name, files, arch) for name in needed(stage)] + [f"{arch.libraries}/{name}" for name in OPENED]
+    waiting = [find_library(name, files, arch) for name in needed(stage)] + [f"{arch.libraries}/{name}" for name in opened]
     order = []
     while waiting:
         name = waiting.pop(0)
@@ -143,6 +153,8 @@ def copy(names, files, root):
 def replace(replaced, kept, files, root, arch):
     for name in replaced:
         users = [files[user] for user in kept if not os.path.islink(files[user]) and name in needed(files[user])]
+        if not users:  # Without LLVM, as on a board, nobody links to what only LLVM does.
+            continue
         stand_in.make(files[find_library(name, files, arch)], users, root / arch.libraries / name, arch)
 
 
@@ -154,24 +166,36 @@ def install(programs, root, arch):
         target.chmod(0o755)
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--board", choices=boards.NAMED)
+    parser.add_argument("--mesa")
+    for name in ("processor", "packages", "keep", "stand_ins", "overlay", "root"):
+        parser.add_argument(name)
+    parser.add_argument("programs", nargs="+")
+    return parser.parse_args()
+
+
 def main():
-    processor, packages, keep, stand_ins, overlay, root, *programs = sys.argv[1:]
-    arch, root = architectures.NAMED[processor], Path(root)
-    keeps = (keep, Path(keep).with_name(f"keep-{arch.name}.txt"))
-    files = index(packages)
+    args = arguments()
+    keep, overlay, programs = args.keep, args.overlay, args.programs
+    arch, root, board = architectures.NAMED[args.processor], Path(args.root), boards.NAMED.get(args.board)
+    keeps = (keep, Path(keep).with_name(f"keep-{args.board or arch.name}.txt"))
+    files = with_mesa(index(args.packages), args.mesa) if args.mesa else index(args.packages)
     shutil.rmtree(root, ignore_errors=True)
     for name in MOUNT_POINTS:
         (root / name).mkdir(parents=True)
     for name in MERGED:
         (root / name).symlink_to(f"usr/{name}")
         (root / "usr" / name).mkdir(parents=True, exist_ok=True)
-    replaced = lines_of(stand_ins)
+    replaced = lines_of(args.stand_ins)
     names = [name for file in keeps for name in chosen(file, files)]
     kept = with_libraries(names, programs, files, replaced, arch)
     copy(kept, files, root)
     replace(replaced, kept, files, root, arch)
     install(programs, root, arch)
-    write_ahead(next(program for program in programs if program.endswith("/kaori-stage")), files, replaced, root, arch)
+    opened = (OPENED[0], board.opened) if board else OPENED
+    write_ahead(next(program for program in programs if program.endswith("/kaori-stage")), files, replaced, root, arch, opened)
     shutil.copytree(overlay, root, symlinks=True, dirs_exist_ok=True)
 
 

@@ -3,7 +3,8 @@
 
 readonly IMAGE_PACKAGES=(
   mmdebstrap erofs-utils e2fsprogs cryptsetup-bin gdisk dosfstools mtools zstd xz-utils python3 binutils
-  linux-source-6.12 make gcc ccache flex bison bc libelf-dev libssl-dev lz4)
+  linux-source-6.12 make gcc ccache flex bison bc libelf-dev libssl-dev lz4 patch)
+readonly BOARD_PACKAGES=(meson ninja-build python3-mako dpkg-dev)  # By which Mesa for a board is built.
 readonly KEYS_PACKAGES=(openssl efitools sbsigntool)
 readonly SECURE_BOOT_KEYS=out/keys/secure-boot
 readonly UPDATE_KEYS=$KEYS/update  # Of updates of the box: -1.key signs, -2.key waits for the day on which that is lost.
@@ -89,49 +90,62 @@ image_folder() {
   [ "$1" = amd64 ] && echo out/image || echo "out/image-$1"
 }
 
-# Builds the programs of an image, and those that make it, where it names none: build_programs ARCH
+# Builds the programs of an image, and those that make it, where it names none: build_programs ARCH [BOARD]
 build_programs() {
   if [ "$1" = amd64 ]; then build release programs kaori-bench; return; fi
   need "${CROSS_PACKAGES[@]}"
   make_sysroot
-  build release kaori-atelier kaori-bench
+  build release kaori-atelier kaori-bench ${2:+kaori-rehearsal}
   build arm64 programs
+}
+
+# Ends where a board, its processor and the files by which it starts do not go together: need_firmware_of_board BOARD ARCH FOLDER
+need_firmware_of_board() {
+  [ -n "$1" ] || return 0
+  local arch
+  need python3
+  arch=$(rootfs/image/boards.py "$1" arch) || exit 1
+  [ "$2" = "$arch" ] || fail "image --board $1 wants --arch $arch"
+  rootfs/image/boards.py "$1" firmware "$3" || exit 1
 }
 
 # shellcheck disable=SC2120  # ./box gives it its words.
 image() {
   local arch=amd64 out='' programs='' disk='' pack='' firmware='' trust='' value stale='' option
-  local medium='' graphics='' gpu_firmware='' secure_boot='' version='' tools=$BIN sysroot=''
+  local medium='' graphics='' gpu_firmware='' secure_boot='' version='' board='' board_firmware='' tools=$BIN sysroot=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --stale ]; then stale=yes; shift; continue; fi
-    [[ $1 =~ ^--(arch|out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot|version)$ ]] || fail "image knows no $1; see ./box help"
+    [[ $1 =~ ^--(arch|out|programs|disk|pack|firmware|trust|medium|graphics|gpu-firmware|secure-boot|version|board|board-firmware)$ ]] || fail "image knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
-    [[ $1 =~ ^--(arch|disk|medium|graphics|version)$ ]] || value=$(from_caller "$2")
+    [[ $1 =~ ^--(arch|disk|medium|graphics|version|board)$ ]] || value=$(from_caller "$2")
     option=${1#--}
     local "${option//-/_}=$value"
     shift 2
   done
   known_arch image "$arch"
-  [ -n "$out" ] || out=$(image_folder "$arch")
+  [ -n "$out" ] || out=$(image_folder "${board:-$arch}")
   if [ -n "$stale" ]; then
-    [ -z "$programs$disk$pack$firmware$trust$medium$graphics$gpu_firmware$secure_boot$version" ] ||
-      fail "image --stale looks at an image and builds none; it takes --arch and --out alone"
+    [ -z "$programs$disk$pack$firmware$trust$medium$graphics$gpu_firmware$secure_boot$version$board_firmware" ] ||
+      fail "image --stale looks at an image and builds none; it takes --arch, --board and --out alone"
     name_stale "$out"
   fi
   [[ $medium =~ ^(usb|disk)?$ ]] || fail "image --medium takes usb or disk, not $medium"
   [[ $graphics =~ ^(intel|amd|all)?$ ]] || fail "image --graphics takes intel, amd or all, not $graphics"
   [ "$arch" = amd64 ] || [ -z "$graphics$secure_boot" ] || fail "image --graphics and --secure-boot are for PCs, not for $arch"
   [ -z "$secure_boot" ] || [ -f "$secure_boot/db.key" ] || fail "there are no keys in $secure_boot; ./box keys makes them"
+  [ -n "$board" ] || [ -z "$board_firmware" ] || fail "image --board-firmware wants --board: no other machine starts by such files"
+  need_firmware_of_board "$board" "$arch" "$board_firmware"
   [ -z "$pack" ] || is_show "$pack"
   [ -n "$trust" ] || [ ! -f $COMPANY.pub ] || trust=$COMPANY.pub
   [ -z "$trust" ] || [ -f "$trust" ] || fail "there is no key $trust; ./box show key makes one"
   need "${BUILD_PACKAGES[@]}" "${IMAGE_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
   [ -z "$secure_boot" ] || need "${KEYS_PACKAGES[@]}"
+  [ -z "$board" ] || need "${BOARD_PACKAGES[@]}"
   # Security updates reach an image by apt's lists; those of yesterday are renewed.
   [ -n "$(find $LISTS_RENEWED -mtime -1 2>/dev/null)" ] || renew_lists -n
   [ "$arch" = amd64 ] || need "${ARM64_BOOT_PACKAGES[@]}"
-  [ -n "$programs" ] || build_programs "$arch"
+  [ -n "$programs" ] || build_programs "$arch" "$board"
   [ -z "$pack" ] || choose_pack "$pack"
   make_update_keys
   # An image for this machine's own processor is made by programs of its own build.
@@ -140,7 +154,8 @@ image() {
   rootfs/image/build --arch "$arch" --out "$out" --programs "$programs" --tools "$tools" --kept out/image ${sysroot:+--sysroot "$sysroot"} ${disk:+--disk "$disk"} \
     ${pack:+--pack "$pack"} ${firmware:+--firmware "$firmware"} ${trust:+--trust "$trust"} ${medium:+--medium "$medium"} \
     --update-key "$UPDATE_KEYS-1.key.pub" --update-key "$UPDATE_KEYS-2.key.pub" ${version:+--version "$version"} \
-    ${graphics:+--graphics "$graphics"} ${gpu_firmware:+--gpu-firmware "$gpu_firmware"} ${secure_boot:+--secure-boot "$secure_boot"} ||
+    ${graphics:+--graphics "$graphics"} ${gpu_firmware:+--gpu-firmware "$gpu_firmware"} ${secure_boot:+--secure-boot "$secure_boot"} \
+    ${board:+--board "$board" --board-firmware "$board_firmware"} ||
     fail "the image could not be built; the reason stands above"
 }
 

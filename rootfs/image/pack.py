@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, OUT/cmdline-b, and a report of sizes.
 
-    pack.py OUT PACKAGES REPORT.json [DISK_MIB] [--unweighed] [--medium usb] [--secure-boot KEYS] [--arch NAME]
+    pack.py OUT PACKAGES REPORT.json [DISK_MIB] [--unweighed] [--medium usb] [--secure-boot KEYS] [--arch NAME] [--board NAME --firmware FOLDER]
 
 The data partition gets what the others leave of the disk. Unweighed: nobody asks what a download weighs, which takes as
 long as all the rest. Medium usb: an image that starts from a stick too. KEYS: a folder of secure_boot.py's, which signs. NAME is the
-processor (architectures.py): amd64, where none is said.
+processor (architectures.py): amd64, where none is said. A board (boards.py) starts by its maker's files in FOLDER, and not by UEFI.
 """
 
 import argparse
@@ -16,7 +16,10 @@ import sys
 from pathlib import Path
 
 import architectures
+import boards
 import esp
+import pi_boot
+import sizes
 
 MIB = 1 << 20
 SECTOR = 512
@@ -32,7 +35,7 @@ DATA_UUID = "6b616f72-6900-4000-8000-000000000004"
 SALT = "6b616f72692d626f78" + "00" * 23
 
 # name, size in MiB, GPT type, the partition's own id. Both slots are filled, so that there is always one to go back to.
-EFI, ROOT, VERITY, DATA = "EF00", "8304", "8385", "8300"
+EFI, ROOT, VERITY, DATA, FAT = "EF00", "8304", "8385", "8300", "0700"
 LAYOUT = (
     ("boot", 64, EFI, "6b616f72-6900-4000-8000-000000000010"),
     ("root-a", 384, ROOT, "6b616f72-6900-4000-8000-000000000011"),
@@ -40,6 +43,13 @@ LAYOUT = (
     ("root-b", 384, ROOT, "6b616f72-6900-4000-8000-000000000013"),
     ("verity-b", 8, VERITY, "6b616f72-6900-4000-8000-000000000014"),
     ("data", 128, DATA, "6b616f72-6900-4000-8000-000000000015"),
+)
+# Of a board, in place of the first: one partition that names the slot, and one for each slot's kernel. They come first, since the
+# firmware counts its own kind of partitions.
+BOARD_BOOT = (
+    ("boot", pi_boot.BOOT_MIB, FAT, "6b616f72-6900-4000-8000-000000000010"),
+    ("boot-a", pi_boot.SLOT_MIB, FAT, "6b616f72-6900-4000-8000-000000000016"),
+    ("boot-b", pi_boot.SLOT_MIB, FAT, "6b616f72-6900-4000-8000-000000000017"),
 )
 LEAST_DATA_MIB = 16
 UNWEIGHED = "--unweighed"
@@ -51,15 +61,16 @@ def run(*command):
     return subprocess.run([str(c) for c in command], check=True, capture_output=True, text=True).stdout
 
 
-def laid_out(disk_mib):
+def laid_out(disk_mib, board=None):
     """The layout on a disk of this size; as it stands where none is said."""
+    layout = (*BOARD_BOOT, *LAYOUT[1:]) if board else LAYOUT
     if disk_mib is None:
-        return LAYOUT
-    rest_mib = disk_mib - 2 * ALIGNED_MIB - sum(size for name, size, _, _ in LAYOUT if name != "data")
+        return layout
+    rest_mib = disk_mib - 2 * ALIGNED_MIB - sum(size for name, size, _, _ in layout if name != "data")
     if rest_mib < LEAST_DATA_MIB:
         needed_mib = disk_mib - rest_mib + LEAST_DATA_MIB
         sys.exit(f"image: a disk of {disk_mib} MiB has no room for data; {needed_mib} are needed")
-    return tuple((name, rest_mib if name == "data" else size, kind, uuid) for name, size, kind, uuid in LAYOUT)
+    return tuple((name, rest_mib if name == "data" else size, kind, uuid) for name, size, kind, uuid in layout)
 
 
 def pack_root(out):
@@ -161,21 +172,41 @@ def arguments():
     parser.add_argument("--medium", choices=(DISK, USB), default=DISK)
     parser.add_argument("--secure-boot", type=Path)
     parser.add_argument("--arch", choices=architectures.NAMED, default=architectures.PC.name)
+    parser.add_argument("--board", choices=boards.NAMED)
+    parser.add_argument("--firmware", type=Path)
     return parser.parse_args()
+
+
+def make_boot(args, arch, size_mib):
+    """{partition: its content} of what the firmware reads: a PC's or a board's."""
+    if not args.board:
+        return {"boot": esp.make(args.out, args.packages, size_mib, args.secure_boot, arch)}
+    command_lines = {slot: (args.out / esp.command_line_name(slot)).read_text() for slot in esp.SLOTS}
+    return pi_boot.make(args.out, boards.NAMED[args.board], args.firmware, args.out / arch.kernel_file, command_lines)
+
+
+def weigh(report, kernel, image, tree, board):
+    """What a download weighs into the report; of a board, whose Mesa has no LLVM, also without its kernel, and by part."""
+    report["compressed_mb"] = round(compressed_bytes(kernel, image, tree) / 1e6, 1)
+    if board:
+        root = image.with_name("root")
+        report["image_no_llvm_mb"] = round(compressed_bytes(image, tree) / 1e6, 1)
+        report["compressed_parts_mb"] = {name: round(compressed_bytes(*files) / 1e6, 1)
+                                         for name, files in sizes.parts(root, {"kernel": [kernel], "verity": [tree]}).items()}
 
 
 def main():
     args = arguments()
     out, arch = args.out, architectures.NAMED[args.arch]
-    layout = laid_out(args.disk_mib)
+    layout = laid_out(args.disk_mib, args.board)
     sizes_mib = {name: size for name, size, _, _ in layout}
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
     for slot in esp.SLOTS:
         (out / esp.command_line_name(slot)).write_text(command_line(image, root_hash, slot, args.medium) + "\n")
-    boot = esp.make(out, args.packages, sizes_mib["boot"], args.secure_boot, arch)
+    boot = make_boot(args, arch, sizes_mib["boot"])
     data = make_data(out, sizes_mib["data"])
-    write_disk(out, layout, {"boot": boot, "data": data, **{f"root-{slot}": image for slot in esp.SLOTS},
+    write_disk(out, layout, {**boot, "data": data, **{f"root-{slot}": image for slot in esp.SLOTS},
                             **{f"verity-{slot}": tree for slot in esp.SLOTS}})
     kernel = out / arch.kernel_file
     in_mb = {"kernel": kernel.stat().st_size, "root": image.stat().st_size, "verity": tree.stat().st_size,
@@ -188,7 +219,7 @@ def main():
     report = {"root_hash": root_hash, "signed": bool(args.secure_boot), "medium": args.medium, "arch": arch.name,
               "parts_mb": {name: round(size / 1e6, 1) for name, size in in_mb.items()}}
     if not args.unweighed:
-        report["compressed_mb"] = round(compressed_bytes(kernel, image, tree) / 1e6, 1)
+        weigh(report, kernel, image, tree, args.board)
     args.report.write_text(json.dumps(report, indent=2) + "\n")
 
 

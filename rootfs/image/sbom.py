@@ -1,9 +1,10 @@
 #!/usr/bin/env -S python3 -B
 """Writes down what is in an image, in SPDX 2.3 and CycloneDX 1.5, with the texts of its licences.
 
-    sbom.py ARCHITECTURE OUT PACKAGES OVERLAY STAND_INS PROGRAMS REPORT.json [SYSROOT]
+    sbom.py ARCHITECTURE OUT PACKAGES OVERLAY STAND_INS PROGRAMS REPORT.json [SYSROOT] [--board NAME --mesa FOLDER]
 
 SYSROOT is the folder with the packages that were compiled into programs for another processor; without it they are this machine's.
+Of a board's image the Mesa in FOLDER (mesa/build) is a part, and so are the files of the board's maker.
 Every file and link of OUT/root and of OUT/boot, the partition from which a PC starts, belongs to one of: a package of Debian's
 (name, version, source, licence), this project, a stand-in for a library, the show, or what the build made. Where one does not,
 or is not what its package has, it is named, and nothing is written.
@@ -11,6 +12,7 @@ Results beside REPORT.json: its name with .spdx.json, .cdx.json and .licences.tx
 number of files, `sbom_files_unmatched` and `stale_packages`.
 """
 
+import argparse
 import hashlib
 import json
 import os
@@ -19,6 +21,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import architectures
+import boards
 import cyclonedx
 import debs
 import licences
@@ -31,8 +34,11 @@ BOOT = "boot"  # Its files are listed below this name; the root itself has no su
 SHARED = "usr/share/kaori"
 # What the build makes, by its path's beginning: of libraries, of the show, of the kernel and its command line.
 MADE = (f"{SHARED}/ahead", f"{SHARED}/shaders", f"{BOOT}/EFI/Linux/kaori-")
+# Of a board: what lies in the partition of each slot, by its name there.
+BOARD_MADE, BOARD_OWN = ("kernel.img", "cmdline.txt", ".dtb"), ("config.txt", "autoboot.txt")
 SHOW = (f"{SHARED}/kaori.kaori", f"{SHARED}/still.ppm")
 OWN = (f"{SHARED}/surfaces/", f"{SHARED}/firmware/", f"{BOOT}/loader/")
+VERSION = f"{SHARED}/version"  # From the overlay; the build writes number and product into it.
 LOADERS = "usr/lib/systemd/boot/efi"  # In Debian's package.
 KEYS = (f"{SHARED}/keys/", f"{SHARED}/update-keys/", f"{BOOT}/loader/keys/")
 GPU_FIRMWARE = "usr/lib/firmware/"
@@ -69,6 +75,8 @@ class Places(NamedTuple):
     stand_ins: tuple
     programs: Path
     sysroot: Path | None
+    board: boards.Board | None = None
+    mesa: Path | None = None  # Of our own build, in place of Debian's.
 
 
 def digest(path, kind):
@@ -97,6 +105,16 @@ def in_package(places, path):
     return found[0] if found else None
 
 
+def owner_on_board(places, path):
+    """Which part a file belongs to that a board has and a PC has not; None where it is no such file."""
+    if path.startswith(f"{BOOT}/"):
+        name = os.path.basename(path)
+        known = {"made": BOARD_MADE, "own": BOARD_OWN, "board-firmware": (*places.board.firmware, places.board.licence)}
+        return next((part for part, endings in known.items() if name.endswith(endings)), None)
+    built = places.mesa / "root" / path
+    return "mesa" if os.path.lexists(built) and is_same(places.out / "root" / path, built) else None
+
+
 def owner(places, owners, path):
     """Which part a file of the image belongs to; None where nothing is known of it, or it is not what it should be."""
     here = places.out / path if path.startswith(f"{BOOT}/") else places.out / "root" / path
@@ -104,6 +122,8 @@ def owner(places, owners, path):
         loader = f"{LOADERS}/systemd-boot{places.arch.efi}.efi"
         unsigned = places.packages / loader
         return owners.get(loader) if is_same(here, unsigned) or secure_boot.is_signed(here, unsigned) else None
+    if places.board and (whose := owner_on_board(places, path)):
+        return whose
     if path.startswith(MADE) or path in debs.MERGED:
         return "made"
     if path in SHOW:
@@ -112,6 +132,8 @@ def owner(places, owners, path):
         return "keys"
     if path.startswith(GPU_FIRMWARE):
         return "gpu-firmware"
+    if path == VERSION:
+        return "own"
     if os.path.lexists(places.overlay / path):
         return "own" if is_same(here, places.overlay / path) else None
     if path.startswith(OWN) or os.path.dirname(path) == "usr/bin" and (places.programs / os.path.basename(path)).is_file():
@@ -154,6 +176,8 @@ def of_project(places, found):
              ("made", "kaori-made", "what the build made: kernels with their command lines, compiled shaders, lists", "NOASSERTION"),
              ("show", "kaori-show", "the show, and a picture of its first moment", "NOASSERTION"),
              ("keys", "kaori-keys", "public keys: whose shows the box plays, whose updates it takes, what a PC's Secure Boot enrols", "NOASSERTION"),
+             ("board-firmware", "board-firmware", "files of the board's maker by which it starts, as whoever built the image gave them; "
+              "their licence lies beside them, and is the maker's", "NOASSERTION"),
              ("gpu-firmware", "gpu-firmware", "files of the makers of graphics cards, as whoever built the image gave them; their "
               "licences are their makers', and go along with the files", "NOASSERTION"))
     for key, name, what, licence in kinds:
@@ -168,6 +192,12 @@ def copyright_of(folder, package):
         if path.is_file():
             return path.read_text(errors="replace")
     return ""
+
+
+def built_mesa(places):
+    """Mesa as a package: of Debian's source, built by us."""
+    version = (places.mesa / "version").read_text().strip()
+    return debs.Package("mesa", version, places.arch.name, "mesa", version)
 
 
 def of_debian(package, text, files, texts):
@@ -192,8 +222,9 @@ def parts_of(places, packages, found):
     shipped = [(packages[name], places.packages, found[name]) for name in sorted(set(found) & set(packages))]
     compiled_in = compiled_into(places)
     linked = [(package, Path("/"), []) for _, package in sorted(compiled_in.items())]
-    for package, folder, files in shipped + linked:
-        text = copyright_of(folder, package)
+    own = [(built_mesa(places), None, found["mesa"])] if "mesa" in found else []
+    for package, folder, files in shipped + own + linked:
+        text = copyright_of(folder, package) if folder else (places.mesa / "copyright").read_text(errors="replace")
         copyrights.setdefault(text.strip(), []).append(f"{package.name} {package.version} (source {package.source} {package.source_version})")
         parts.append(of_debian(package, text, files, texts))
     return parts, texts, copyrights
@@ -211,11 +242,23 @@ def licence_page(copyrights):
     return "\n".join(pages)
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("arch", choices=architectures.NAMED)
+    for name in ("out", "packages", "overlay", "stand_ins", "programs", "report"):
+        parser.add_argument(name, type=Path)
+    parser.add_argument("sysroot", type=Path, nargs="?")
+    parser.add_argument("--board", choices=boards.NAMED)
+    parser.add_argument("--mesa", type=Path)
+    return parser.parse_args()
+
+
 def main():
-    out, packages_folder, overlay, stand_ins, programs, report_file, *sysroot = (Path(word) for word in sys.argv[2:])
-    places = Places(architectures.NAMED[sys.argv[1]], out, packages_folder, overlay, tuple(stale.lines_of(stand_ins)), programs,
-                    sysroot[0] if sysroot else None)
-    packages = debs.unpacked(packages_folder)
+    args = arguments()
+    report_file = args.report
+    places = Places(architectures.NAMED[args.arch], args.out, args.packages, args.overlay, tuple(stale.lines_of(args.stand_ins)), args.programs,
+                    args.sysroot, boards.NAMED.get(args.board), args.mesa)
+    packages = debs.unpacked(args.packages)
     found, unmatched = sorted_out(places, packages)
     if unmatched:
         sys.exit("\n".join(f"sbom: {path}: belongs to no package and to nothing of the project" for path in unmatched))

@@ -6,12 +6,14 @@ readonly CROSS_TEST_PACKAGES=(qemu-user-static kas python3)
 readonly LAYER_MODULES=(language-server-bitbake@2.10.0 web-tree-sitter@0.20.8)  # The grammar of recipes.
 # What looks at devices in a machine on the bench: programs of that processor, from the same folder (tests/hil/bench_disk).
 readonly GUEST_PACKAGES=(evtest v4l-utils gpiod alsa-utils usbutils coreutils)
+# What Mesa for a board is built with, besides (rootfs/image/mesa/build).
+readonly MESA_LIBRARIES=(libexpat1-dev libglvnd-dev)
 readonly SYSROOT=out/cross/arm64/sysroot
 readonly CROSS_RELEASE=bookworm
 
 # The build packages that a compiler for another processor reads, and what their programs need to run.
 sysroot_packages() {
-  { printf '%s\n' libc6-dev libstdc++-12-dev "${BUILD_PACKAGES[@]}" | grep -E '^lib|-dev$'; printf '%s\n' "${GUEST_PACKAGES[@]}"; } | sort -u
+  { printf '%s\n' libc6-dev libstdc++-12-dev "${BUILD_PACKAGES[@]}" "${MESA_LIBRARIES[@]}" | grep -E '^lib|-dev$'; printf '%s\n' "${GUEST_PACKAGES[@]}"; } | sort -u
 }
 
 # Runs a command whose words go to a log, and says every ten seconds that it still runs: wait_for WHAT LOG COMMAND...

@@ -12,7 +12,7 @@ namespace kaori::contracts {
 class BootChoiceSubject : public AnySubject {
  public:
   virtual ports::BootChoice& choice() = 0;
-  // Switches it off and on; `choice` is another one afterwards.
+  // Starts it again, as TryOnce wants it: by a restart, or by its switch. `choice` is another one afterwards.
   virtual void SwitchOn() = 0;
   // The firmware keeps nothing any more.
   virtual void ForgetVariables() = 0;

@@ -1,11 +1,14 @@
-// The disk and its loader: systemd-boot's files and its variable, played by the test as the loader reads them; the
-// simulated ones; and a file in place of a disk's node.
+// The disk and its loader: systemd-boot's files and its variable, and those of a Raspberry Pi's firmware, played by the test as
+// these read them; the simulated ones; and a file in place of a disk's node.
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string>
 
 #include "drivers/base/read_file.h"
 #include "drivers/loader/block_file.h"
 #include "drivers/loader/systemd_boot.h"
+#include "drivers/loader/tryboot.h"
 #include "hw-sim/devices/boot_loader.h"
 #include "hw-sim/devices/simulated_disk.h"
 #include "tests/contracts/block_device_contract.h"
@@ -79,6 +82,43 @@ class SystemdBootSubject final : public BootChoiceSubject {
   std::optional<loader::SystemdBoot> choice_;
 };
 
+// The firmware of a Raspberry Pi takes the last boot_partition of autoboot.txt whose section counts: [all] always, [tryboot] after a
+// restart with that argument, which it forgets. The text and its place are written out here once more, as the firmware has them.
+class TrybootSubject final : public BootChoiceSubject {
+ public:
+  TrybootSubject() {
+    tests::FatFixture(disk_.content())
+        .AddAutoboot("[all]\ntryboot_a_b=1\nboot_partition=2\n[tryboot]\nboot_partition=3\n");
+    std::ofstream(argument_).flush();
+    Start(ports::Slot::kA);
+  }
+  ports::BootChoice& choice() override { return *choice_; }
+  void SwitchOn() override {
+    const bool tries = ReadFile(argument_).value_or("").find(" tryboot") != std::string::npos;
+    if (std::filesystem::exists(argument_)) std::ofstream(argument_).flush();
+    std::istringstream lines(reinterpret_cast<const char*>(&disk_.content()[tests::FatFixture::kAutoboot]));
+    bool counts = false;
+    char partition = '0';
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("[")) counts = line == "[all]" || (tries && line == "[tryboot]");
+      if (counts && line.starts_with("boot_partition=")) partition = line.back();
+    }
+    ASSERT_TRUE(partition == '2' || partition == '3');
+    Start(partition == '2' ? ports::Slot::kA : ports::Slot::kB);
+  }
+  void ForgetVariables() override { std::filesystem::remove(argument_); }
+
+ private:
+  void Start(ports::Slot running) {
+    choice_.emplace(disk_.Partition(0, tests::FatFixture::kBytes), running, argument_);
+  }
+
+  sim::TempFolder folder_;
+  std::filesystem::path argument_ = folder_.path() + "/reboot-param";
+  sim::SimulatedDisk disk_{tests::FatFixture::kBytes};
+  std::optional<loader::Tryboot> choice_;
+};
+
 class SimulatedLoaderSubject final : public BootChoiceSubject {
  public:
   ports::BootChoice& choice() override { return loader_; }
@@ -93,6 +133,8 @@ INSTANTIATE_TEST_SUITE_P(Loaders, BootChoiceContract,
                          ::testing::Values(
                              Implementation<BootChoiceSubject>{
                                  "SystemdBoot", [] { return std::make_unique<SystemdBootSubject>(); }},
+                             Implementation<BootChoiceSubject>{
+                                 "Tryboot", [] { return std::make_unique<TrybootSubject>(); }},
                              Implementation<BootChoiceSubject>{
                                  "Simulated", [] { return std::make_unique<SimulatedLoaderSubject>(); }}),
                          NameOf<BootChoiceSubject>);

@@ -42,6 +42,14 @@ class FatFixture {
     std::ranges::copy(text, disk_.begin() + kSettings);
   }
 
+  // As pi_boot.py has it, besides: autoboot.txt with this text, in the sector behind loader.conf.
+  void AddAutoboot(std::string_view text) {
+    AddFile(kSettingsCluster + 1, 1);
+    AddEntry(2, 2, "AUTOBOOTTXT", kSettingsCluster + 1, static_cast<std::uint32_t>(text.size()));
+    std::ranges::copy(text, disk_.begin() + kAutoboot);
+  }
+  static constexpr std::uint64_t kAutoboot = kSettings + 512;
+
   // Of the table: which cluster follows; kEnd: none.
   static constexpr std::uint32_t kEnd = 0x0FFFFFFF;
   void Link(std::uint32_t cluster, std::uint32_t next) { Put(kReserved * 512 + cluster * 4, next, 4); }

@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <string>
 
+#include "drivers/base/read_file.h"
 #include "drivers/loader/boot_partition.h"
 #include "drivers/loader/systemd_boot.h"
+#include "drivers/loader/tryboot.h"
 #include "hw-sim/devices/simulated_disk.h"
 #include "tests/drivers/fat_fixture.h"
 #include "tests/hw-sim/link_fixture.h"
@@ -109,6 +113,76 @@ TEST_F(BootPartition, WhoseSettingsNameNoSlotIsNotWritten) {
 TEST_F(BootPartition, OfADiskThatRotsIsToldOf) {
   disk_.Rot();
   EXPECT_EQ(CauseOfConfirm(), std::errc::io_error);
+}
+
+// The partition of a Raspberry Pi, whose firmware is told by autoboot.txt.
+class Autoboot : public BootPartition {
+ protected:
+  static constexpr std::string_view kSlotA =
+      "[all]\ntryboot_a_b=1\nboot_partition=2\n[tryboot]\nboot_partition=3\n";
+
+  Autoboot() {
+    fat_.AddAutoboot(kSlotA);
+    std::ofstream(argument_).flush();
+  }
+  Tryboot Choice() { return {disk_.Partition(0, FatFixture::kBytes), Slot::kA, argument_}; }
+  std::errc CauseOfConfirmB() {
+    const auto confirmed = Choice().Confirm(Slot::kB);
+    return confirmed ? std::errc{} : confirmed.error().cause;
+  }
+
+  std::filesystem::path argument_ = folder_.path() + "/reboot-param";
+};
+
+TEST_F(BootPartition, SaysWhoseItIsByTheFileThatItHolds) {
+  EXPECT_FALSE(*HasAutoboot(*partition_));
+  fat_.AddAutoboot("[all]\n");
+  EXPECT_TRUE(*HasAutoboot(*partition_));
+  disk_.content()[13] = 8;
+  EXPECT_EQ(HasAutoboot(*partition_).error().cause, std::errc::bad_message);
+}
+
+TEST_F(Autoboot, IsWrittenInItsOneSectorAlone) {
+  EXPECT_EQ(CauseOfConfirmB(), std::errc{});
+  ASSERT_EQ(disk_.events().size(), 2U) << "one write and one flush";
+  EXPECT_EQ(disk_.events()[0].at_bytes, FatFixture::kAutoboot);
+  std::string expected(kSlotA);
+  std::swap(expected[kSlotA.find('2')], expected[kSlotA.find('3')]);
+  expected.resize(512);
+  EXPECT_EQ(std::string(disk_.events()[0].content.begin(), disk_.events()[0].content.end()), expected);
+  EXPECT_TRUE(disk_.events()[1].content.empty());
+}
+
+TEST_F(Autoboot, ThatSaysAnythingElseIsNotWritten) {
+  disk_.content()[FatFixture::kAutoboot + kSlotA.find('3')] = '4';
+  EXPECT_EQ(CauseOfConfirmB(), std::errc::bad_message);
+  EXPECT_EQ(Choice().TryOnce(Slot::kB).error().cause, std::errc::bad_message);
+  EXPECT_TRUE(disk_.events().empty());
+}
+
+TEST_F(Autoboot, ThatIsLongerThanTheFirmwareReadsIsRefused) {
+  fat_.Put(FatFixture::EntryAt(2, 2) + 28, 513, 4);
+  fat_.Link(FatFixture::kSettingsCluster + 1, FatFixture::kSettingsCluster + 2);
+  fat_.Link(FatFixture::kSettingsCluster + 2, FatFixture::kEnd);
+  EXPECT_EQ(CauseOfConfirmB(), std::errc::bad_message);
+}
+
+TEST_F(Autoboot, OfADiskThatRotsIsToldOf) {
+  disk_.Rot();
+  EXPECT_EQ(CauseOfConfirmB(), std::errc::io_error);
+}
+
+TEST_F(Autoboot, ATryIsTheArgumentOfARestartAndWritesNothingToTheDisk) {
+  ASSERT_TRUE(Choice().TryOnce(Slot::kB));
+  EXPECT_EQ(*ReadFile(argument_), "0 tryboot\n");
+  EXPECT_TRUE(disk_.events().empty());
+}
+
+// The firmware would take the slot that is not the default any more.
+TEST_F(Autoboot, ATryThatIsConfirmedBeforeTheRestartIsNoTryAnyMore) {
+  ASSERT_TRUE(Choice().TryOnce(Slot::kB));
+  EXPECT_EQ(CauseOfConfirmB(), std::errc{});
+  EXPECT_EQ(*ReadFile(argument_), "");
 }
 
 }  // namespace

@@ -13,10 +13,12 @@
   first_face_arm64_s  from power to the first frames there, emulated
   checks_arm64        checks of the bench that passed on that image
   checks_arm64_failed
-  image_no_llvm_mb    the image for a board with a driver of its own, without LLVM and without the kernel
+  image_no_llvm_mb    the image for a board with a driver of its own, compressed, without LLVM and without the kernel
+  image_no_llvm_parts_mb  the same by part, each compressed by itself, with the kernel
 
-What nobody measured is null: the last of them always, since no such image is built; those before where ./box test --bench --arch arm64
-did not run (bench-arm64/report.xml and boot-arm64.json beside FILE.json); the tests where TESTS.xml is not there.
+What nobody measured is null: the last two where ./box image --board rpi4 did not run (image-rpi4.json beside FILE.json); those before
+where ./box test --bench --arch arm64 did not run (bench-arm64/report.xml and boot-arm64.json there); the tests where TESTS.xml is not
+there.
 """
 
 import json
@@ -63,7 +65,14 @@ def of_the_bench(out):
 
     return {"boots_arm64": verdict("uefi"), "face_arm64": verdict("face"), "first_face_arm64_s": measured.get("first_frames_s"),
             "checks_arm64": None if passed is None else sum(passed.values()),
-            "checks_arm64_failed": None if passed is None else len(passed) - sum(passed.values()), "image_no_llvm_mb": None}
+            "checks_arm64_failed": None if passed is None else len(passed) - sum(passed.values())}
+
+
+def of_boards(out):
+    """What the builder of images wrote down of one for a board in the folder `out`; null where none was built."""
+    report = out / "image-rpi4.json"
+    measured = json.loads(report.read_text()) if report.is_file() else {}
+    return {"image_no_llvm_mb": measured.get("image_no_llvm_mb"), "image_no_llvm_parts_mb": measured.get("compressed_parts_mb")}
 
 
 def of_tests(file):
@@ -82,6 +91,7 @@ def main():
         **of_tests(tests),
         "sdk_cases": cases, "sdk_cases_failed": failed, "recipe_errors": len(recipe),
         **of_the_bench(file.parent),
+        **of_boards(file.parent),
     }
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(figures, indent=2) + "\n")

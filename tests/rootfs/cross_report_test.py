@@ -25,7 +25,9 @@ def main():
         found = cross_report.of_the_bench(out)
         assert (found["face_arm64"], found["boots_arm64"], found["first_face_arm64_s"]) == (1, 0, 21.5), found
         assert (found["checks_arm64"], found["checks_arm64_failed"]) == (1, 1), "a skipped check is neither"
-        assert found["image_no_llvm_mb"] is None
+        assert cross_report.of_boards(out) == {"image_no_llvm_mb": None, "image_no_llvm_parts_mb": None}
+        (out / "image-rpi4.json").write_text('{"image_no_llvm_mb": 33.1, "compressed_parts_mb": {"show": 11.2}}')
+        assert cross_report.of_boards(out) == {"image_no_llvm_mb": 33.1, "image_no_llvm_parts_mb": {"show": 11.2}}
         assert cross_report.of_tests(out / "tests.xml") == {"tests_arm64": 12, "tests_arm64_failed": 0}
 
 

@@ -12,6 +12,9 @@
 namespace kaori::authoring {
 namespace {
 
+// The box reads the same file, in its verified root, before it takes an update: what a bundle says is what its image says.
+constexpr std::string_view kVersionFile = "root/usr/share/kaori/version";
+
 show::Checksum ChecksumOf(std::span<const std::uint8_t> bytes) {
   show::Checksummer sum;
   sum.Add(bytes);
@@ -21,13 +24,26 @@ show::Checksum ChecksumOf(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 std::array<std::filesystem::path, update::kParts> PartFiles(const std::filesystem::path& image) {
+  if (std::filesystem::exists(image / "boot-a.vfat"))
+    return {image / "root.erofs", image / "root.verity", image / "boot-a.vfat", image / "boot-b.vfat"};
   return {image / "root.erofs", image / "root.verity", image / "boot/EFI/Linux/kaori-a.efi",
           image / "boot/EFI/Linux/kaori-b.efi"};
 }
 
+// A line of its own behind the two that every image has.
+Result<std::string> ProductOf(const std::filesystem::path& image) {
+  constexpr std::string_view kWord = "\nproduct ";
+  const auto text = ReadFile(image / kVersionFile);
+  if (!text) return tl::unexpected(text.error());
+  const auto at = text->find(kWord);
+  if (at == text->npos) return std::string(update::kProduct);
+  const std::string_view rest = std::string_view(*text).substr(at + kWord.size());
+  return std::string(rest.substr(0, rest.find('\n')));
+}
+
 Result<std::uint32_t> VersionOf(const std::filesystem::path& image) {
   constexpr std::string_view kWord = "version ";
-  const auto file = image / "root/usr/share/kaori/version";
+  const auto file = image / kVersionFile;
   const auto text = ReadFile(file);
   if (!text) return tl::unexpected(text.error());
   const std::string_view line = std::string_view(*text).substr(0, text->find('\n'));

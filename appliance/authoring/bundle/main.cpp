@@ -43,7 +43,10 @@ int main(int argc, char** argv) {
   const auto from = kaori::ParseNumber<std::uint32_t>(settings.from);
   if (!from)
     return kaori::ExitWithError(kaori::FailInput("--from " + settings.from + ": expected a number").value());
-  kaori::update::Manifest manifest{.version = *version, .from = *from, .news = settings.news};
+  const auto product = kaori::authoring::ProductOf(settings.image);
+  if (!product) return kaori::ExitWithError(product.error());
+  const kaori::update::Manifest manifest{
+      .version = *version, .from = *from, .product = *product, .news = settings.news};
   const auto made =
       kaori::authoring::MakeBundle(manifest, kaori::authoring::PartFiles(settings.image), *key, settings.to);
   if (!made) return kaori::ExitWithError(made.error());

@@ -208,6 +208,10 @@ std::string ApplySettings() {
   const std::string command_line = kaori::ReadFile("/proc/cmdline").value_or("");
   WriteSetting("root_hash", kaori::boot::RootHashOf(command_line));
   WriteSetting("slot", kaori::boot::SlotOf(command_line));
+  // From it systemd takes the argument of a restart (systemctl(1)); kaori-update may write it, and no other file there.
+  ::mkdir("/run/systemd", 0755);
+  if (auto made = kaori::WriteWholeFile("/run/systemd/reboot-param", {}); !made)
+    Report(made.error().message());
   if (profile.network) JoinNetwork(*profile.network);
   WriteSetting("faults", kaori::boot::Reported());
   if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);

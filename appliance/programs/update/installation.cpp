@@ -47,7 +47,7 @@ Result<std::unique_ptr<Source>> SourceOf(UniqueFd file) {
 // taken, so that a slot that was spoilt can be written anew.
 Message Judge(const Manifest& manifest, const Running& running, const show::PublicKeys& keys) {
   if (std::ranges::find(keys, manifest.signer) == keys.end()) return Message::kForeign;
-  if (manifest.product != kProduct) return Message::kOtherProduct;
+  if (manifest.product != running.product) return Message::kOtherProduct;
   if (manifest.version < running.least) return Message::kBelowLeast;
   if (manifest.version < running.version) return Message::kOlder;
   if (running.version < manifest.from) return Message::kNewerForm;

@@ -39,6 +39,8 @@ struct Running {
   // No version below this is ever taken: an older one has a hole that is known.
   std::uint32_t least = 0;
   ports::Slot slot = ports::Slot::kA;
+  // What kind of machine it is made for: an update for another kind would never start here.
+  std::string product{kProduct};
 };
 
 // Where the other slot lies. The partitions must outlive the installation. Nothing else of a disk is written.

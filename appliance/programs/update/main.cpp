@@ -20,18 +20,14 @@
 #include "drivers/base/packet_socket.h"
 #include "drivers/base/program.h"
 #include "drivers/base/read_file.h"
-#include "drivers/base/root_disk.h"
 #include "drivers/base/run_program.h"
 #include "drivers/base/service.h"
 #include "drivers/base/whole_file.h"
-#include "drivers/loader/block_file.h"
-#include "drivers/loader/boot_partition.h"
-#include "drivers/loader/systemd_boot.h"
+#include "drivers/loader/box_disk.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-using kaori::loader::Claim;
 using kaori::update::Message;
 
 constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk's other slot
@@ -43,7 +39,8 @@ constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk
   --keys FOLDER      public keys of whoever makes updates (/usr/share/kaori/update-keys)
   --slot FILE        the slot that runs (/run/kaori-profile/slot)
   --disk FOLDER      files named boot, root-a ... in place of the partitions beside the root
-  --variables FOLDER the firmware's variables (/sys/firmware/efi/efivars)
+  --variables FOLDER the firmware's variables, of a PC (/sys/firmware/efi/efivars)
+  --argument FILE    the argument of a restart, of a Raspberry Pi (/run/systemd/reboot-param)
   --said FOLDER      what is said of an update to the status picture, and asked of the stage (/run/kaori-update)
   --picture FILE     what the stage shows (/run/kaori/look.ppm)
   --still FILE       a picture of the show's first face (/usr/share/kaori/still.ppm)
@@ -52,13 +49,16 @@ constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk
   --other FILE       instead: tries the disk's other system, once, for the reason in this file
 )";
 
+// What the options say. Without any it is a box's own places, with some a test's, or those of a disk that lies in another
+// computer.
 struct Settings {
   std::string socket, notes = "/var/lib/kaori/update", version = "/usr/share/kaori/version",
-                      keys = "/usr/share/kaori/update-keys", slot = "/run/kaori-profile/slot", disk,
-                      variables = kaori::loader::kVariables, said = "/run/kaori-update",
-                      picture = "/run/kaori/look.ppm", still = "/usr/share/kaori/still.ppm",
-                      last_face = "/var/lib/kaori/own/last-face", install, other;
+                      keys = "/usr/share/kaori/update-keys", slot = "/run/kaori-profile/slot",
+                      said = "/run/kaori-update", picture = "/run/kaori/look.ppm",
+                      still = "/usr/share/kaori/still.ppm", last_face = "/var/lib/kaori/own/last-face",
+                      install, other;
   bool confirm = false;
+  kaori::loader::BoxDisk disk;
 };
 
 // The name of the descriptor that the socket's unit passes.
@@ -70,39 +70,12 @@ constexpr auto kLongestAnswer = std::chrono::seconds(20);
 // Without one of these a box that is operated would not answer its operators.
 const std::vector<std::string> kPrograms{"kaori-stage.service", "kaori-input.service", "kaori-lips.service"};
 
-// The node of a partition beside the root, or the file in its place. Errors: no_such_device.
-kaori::Result<std::unique_ptr<kaori::ports::BlockDevice>> OpenPartition(const Settings& settings,
-                                                                        const std::string& name,
-                                                                        kaori::loader::Claim claim) {
-  if (!settings.disk.empty()) return kaori::loader::OpenBlockFile(fs::path(settings.disk) / name, claim);
-  const auto device = kaori::PartitionBesideRoot("/sys/class/block", name);
-  if (!device)
-    return kaori::Fail(std::errc::no_such_device, "find the partition " + name + " beside the root");
-  return kaori::loader::OpenBlockFile("/dev/" + *device, claim);
-}
-
-// Of the slot that does not run: what the running root is made of the kernel gives to nobody.
+// The slot that does not run, as an installation writes it: opened for each update, and closed with it.
 kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::ports::Slot running) {
-  const auto other = kaori::ports::Other(running);
-  const std::string letter = other == kaori::ports::Slot::kA ? "a" : "b";
-  auto root = OpenPartition(settings, "root-" + letter, Claim::kAlone),
-       verity = OpenPartition(settings, "verity-" + letter, Claim::kAlone),
-       boot = OpenPartition(settings, "boot", Claim::kShared);
-  for (const auto* each : {&root, &verity, &boot})
-    if (!*each) return tl::unexpected(each->error());
-  const auto kernel = kaori::loader::FindKernel(**boot, other);
-  if (!kernel) return tl::unexpected(kernel.error());
-  return kaori::update::Disk{std::move(*root), std::move(*verity), std::move(*boot), kernel->at_bytes,
-                             kernel->bytes};
-}
-
-kaori::Result<std::unique_ptr<kaori::ports::BootChoice>> OpenChoice(const Settings& settings,
-                                                                    kaori::ports::Slot running) {
-  return OpenPartition(settings, "boot", Claim::kShared)
-      .map([&](auto partition) -> std::unique_ptr<kaori::ports::BootChoice> {
-        return std::make_unique<kaori::loader::SystemdBoot>(std::move(partition), running,
-                                                            settings.variables);
-      });
+  return OpenOtherSlot(settings.disk, running).map([](kaori::loader::SlotPartitions slot) {
+    return kaori::update::Disk{std::move(slot.root), std::move(slot.verity), std::move(slot.boot),
+                               slot.kernel.at_bytes, slot.kernel.bytes};
+  });
 }
 
 // The service manager stops the programs in order, so that the last face is kept. Returns when it was told, and the machine
@@ -126,7 +99,7 @@ kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running&
   return {.running = running,
           .keys = [&settings] { return KeysOf(settings); },
           .open_disk = [&settings, running] { return OpenDisk(settings, running.slot); },
-          .open_choice = [&settings, running] { return OpenChoice(settings, running.slot); },
+          .open_choice = [&settings, running] { return OpenBootChoice(settings.disk, running.slot); },
           .restart = Restart};
 }
 
@@ -204,7 +177,7 @@ int LookOn(const Settings& settings, kaori::ports::BootChoice& choice, kaori::up
 
 int Confirm(const Settings& settings, const kaori::update::Running& running) {
   const auto notes = kaori::update::OpenNotes(settings.notes);
-  auto choice = OpenChoice(settings, running.slot);
+  auto choice = OpenBootChoice(settings.disk, running.slot);
   if (!choice) return kaori::ExitWithError(choice.error());
   const auto found = AfterStart(**choice, *notes);
   if (found.message != Message::kNothingWaits) TellStatus(settings, found);
@@ -214,7 +187,7 @@ int Confirm(const Settings& settings, const kaori::update::Running& running) {
 // The stage can read no show; the last picture stands meanwhile.
 int TryOtherSystem(const Settings& settings, const kaori::update::Running& running) {
   const auto notes = kaori::update::OpenNotes(settings.notes);
-  auto choice = OpenChoice(settings, running.slot);
+  auto choice = OpenBootChoice(settings.disk, running.slot);
   if (!choice) return kaori::ExitWithError(choice.error());
   const std::string reason = kaori::ReadFile(settings.other).value_or("");
   kaori::LogError("no show can be played, and the disk's other system is tried: {}",
@@ -278,8 +251,9 @@ int main(int argc, char** argv) {
       .Text("--version", settings.version)
       .Text("--keys", settings.keys)
       .Text("--slot", settings.slot)
-      .Text("--disk", settings.disk);
-  options.Text("--variables", settings.variables)
+      .Text("--disk", settings.disk.folder);
+  options.Text("--variables", settings.disk.variables)
+      .Text("--argument", settings.disk.argument)
       .Text("--said", settings.said)
       .Text("--picture", settings.picture)
       .Text("--still", settings.still)

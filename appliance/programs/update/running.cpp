@@ -12,11 +12,21 @@ namespace {
 
 constexpr std::size_t kMost_bytes = 256;
 
-// Of the line that begins with this word.
+// What follows a word on the line that begins with it, wherever that stands; a root of before has fewer lines, and a newer one may have
+// more.
+std::optional<std::string_view> AfterWord(std::string_view text, std::string_view word) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (line.starts_with(word)) return line.substr(word.size());
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+  }
+  return std::nullopt;
+}
+
+// None where there is no such line, or something else than a number on it.
 std::optional<std::uint32_t> NumberOf(std::string_view text, std::string_view word) {
-  if (!text.starts_with(word)) return std::nullopt;
-  text.remove_prefix(word.size());
-  return ParseNumber<std::uint32_t>(text.substr(0, text.find('\n')));
+  const auto number = AfterWord(text, word);
+  return number ? ParseNumber<std::uint32_t>(*number) : std::nullopt;
 }
 
 }  // namespace
@@ -28,10 +38,11 @@ Result<Running> ReadRunning(const std::filesystem::path& version, const std::fil
   if (!letter) return tl::unexpected(letter.error());
   const std::string_view text = *said;
   const auto number = NumberOf(text, "version ");
-  const auto least = NumberOf(text.substr(std::min(text.size(), text.find('\n') + 1)), "least ");
+  const auto least = NumberOf(text, "least ");
   if (!number || !least) return FailInput(version.string() + ": it names no version");
   if (*letter != "A" && *letter != "B") return FailInput(slot.string() + ": it names no slot");
-  return Running{*number, *least, *letter == "A" ? ports::Slot::kA : ports::Slot::kB};
+  return Running{*number, *least, *letter == "A" ? ports::Slot::kA : ports::Slot::kB,
+                 std::string(AfterWord(text, "product ").value_or(kProduct))};
 }
 
 }  // namespace kaori::update

@@ -8,8 +8,8 @@
 
 namespace kaori::update {
 
-// `version` has two lines, "version 12" and "least 10", and lies in the root; `slot` has "A" or "B", as kaori-boot left
-// it. Blocks for both. Errors: those of ReadFile; invalid_argument (they say something else).
+// `version` has the lines "version 12" and "least 10", and on other machines than PCs "product kaori-box-rpi4-1", and lies in the root;
+// `slot` has "A" or "B", as kaori-boot left it. Blocks for both. Errors: those of ReadFile; invalid_argument (they say something else).
 Result<Running> ReadRunning(const std::filesystem::path& version, const std::filesystem::path& slot);
 
 }  // namespace kaori::update

@@ -232,6 +232,9 @@ TEST(UpdateRunning, IsReadFromTheRootAndFromTheFirstProgram) {
   EXPECT_EQ(running->version, 12U);
   EXPECT_EQ(running->least, 10U);
   EXPECT_EQ(running->slot, Slot::kB);
+  EXPECT_EQ(running->product, kProduct) << "a PC's root names none";
+  const auto board = write("board", "version 12\nleast 10\nproduct kaori-box-rpi4-1\n");
+  EXPECT_EQ(ReadRunning(board, write("slot", "B"))->product, "kaori-box-rpi4-1");
   EXPECT_FALSE(ReadRunning(version, write("slot", "")));
   EXPECT_FALSE(ReadRunning(write("other", "version 12"), write("slot", "A")));
 }
