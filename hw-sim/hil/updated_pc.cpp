@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kSector_bytes = 512;
 constexpr std::size_t kBoot_bytes = std::size_t{64} << 20U;
-constexpr int kData_mib = 128;
 // As disk_checks.cpp has it.
 constexpr double kUpdatedNearStill = 0.05;
 constexpr const char* kRestartedPc = "/update-pc-restarted";
@@ -145,13 +144,14 @@ Result<void> UpdatedPc::NameDefault(char slot) const {
 
 std::string UpdatedPc::Kept(const std::string& name) const {
   const std::string data = folder_ + "/data.ext4", log = folder_ + "/debugfs.log";
-  const auto start = PartitionStart_bytes(Disk(), "data");
-  if (!start) return {};
+  const auto span = PartitionSpan(Disk(), "data");
+  if (!span) return {};
   std::filesystem::remove(data);
-  const bool copied = RunToEnd({"dd", "if=" + Disk(), "of=" + data, "bs=1M", fmt::format("skip={}B", *start),
-                                fmt::format("count={}", kData_mib)},
-                               folder_ + "/dd.log")
-                          .has_value();
+  const bool copied =
+      RunToEnd({"dd", "if=" + Disk(), "of=" + data, "bs=1M", "conv=sparse",
+                fmt::format("skip={}B", span->at_bytes), fmt::format("count={}B", span->bytes)},
+               folder_ + "/dd.log")
+          .has_value();
   if (!copied || !RunToEnd({"debugfs", "-w", "-R", "journal_run", data}, log)) return {};
   std::filesystem::remove(folder_ + "/kept");
   static_cast<void>(RunToEnd({"debugfs", "-R", "dump " + name + " " + folder_ + "/kept", data}, log));

@@ -42,7 +42,7 @@ LAYOUT = (
     ("verity-a", 8, VERITY, "6b616f72-6900-4000-8000-000000000012"),
     ("root-b", 384, ROOT, "6b616f72-6900-4000-8000-000000000013"),
     ("verity-b", 8, VERITY, "6b616f72-6900-4000-8000-000000000014"),
-    ("data", 128, DATA, "6b616f72-6900-4000-8000-000000000015"),
+    ("data", 960, DATA, "6b616f72-6900-4000-8000-000000000015"),
 )
 # Of a board, in place of the first: one partition that names the slot, and one for each slot's kernel. They come first, since the
 # firmware counts its own kind of partitions.

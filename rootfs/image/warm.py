@@ -69,7 +69,7 @@ def written(folder):
     data, own = folder / "data", folder / "own"
     shutil.rmtree(own, ignore_errors=True)
     quiet = dict(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-    subprocess.run(["dd", f"if={folder / 'kaori.disk'}", f"of={data}", "bs=1M", f"skip={start_mib}"], **quiet)
+    subprocess.run(["dd", f"if={folder / 'kaori.disk'}", f"of={data}", "bs=1M", "conv=sparse", f"skip={start_mib}"], **quiet)
     subprocess.run(["e2fsck", "-fy", data], **quiet)
     subprocess.run(["debugfs", "-R", f"rdump own {folder}", data], **quiet)
     found = [next(own.rglob(name), None) for name in (STILL, STORE, INDEX)]

@@ -24,6 +24,9 @@ inline constexpr std::string_view kRootShow = "root";
 // Its copy in the folder of shows. Nobody chooses it.
 inline constexpr std::string_view kCopiedShow = "copy";
 inline constexpr const char* kCopyName = "root.copy";
+// The same while it is made, and a show while it comes from a stick. No reader of the folder takes either for a show.
+inline constexpr const char* kUnfinishedCopyName = "root.copying";
+inline constexpr const char* kIncomingName = "incoming";
 inline constexpr std::array<const char*, 2> kChoiceFiles{"choice.0", "choice.1"};
 
 // What is played, and what was played before it: each the id of a pack, or kRootShow.

@@ -11,15 +11,19 @@
 namespace kaori::shows {
 namespace {
 
-// No reader of the folder takes it for a show. The next copy replaces one that was cut off.
-constexpr const char* kUnfinished = "root.copying";
+// A show that comes from a stick needs the room more. Errors: operation_canceled.
+Result<void> WantAlone(const Folder& folder) {
+  if (folder.BytesOf(store::kIncomingName) == 0) return {};
+  return Fail(std::errc::operation_canceled, "copy the box's own show while another one comes");
+}
 
 // Content by content, so that what goes to the disk is what the header's checksum was made of.
-Result<void> CopyContent(Source& root, const show::PackSeal& seal, Draft& draft) {
+Result<void> CopyContent(const Folder& folder, Source& root, const show::PackSeal& seal, Draft& draft) {
   show::Checksummer sum;
   // One piece at a time is in memory, since a show may be larger than what is free.
   std::vector<std::uint8_t> piece(Installation::kPiece_bytes);
   for (std::uint64_t left = seal.content_bytes; left > 0;) {
+    if (auto ok = WantAlone(folder); !ok) return ok;
     const auto wanted =
         std::span(piece).first(static_cast<std::size_t>(std::min<std::uint64_t>(left, piece.size())));
     const auto got = root.Read(wanted);
@@ -51,12 +55,13 @@ Result<bool> HasRoom(Folder& folder, std::uint64_t bytes) {
 // The content is on the disk before it has the copy's name.
 Result<void> WriteCopy(Folder& folder, Source& root, const show::PackHeader& header,
                        const show::PackSeal& seal) {
-  auto draft = folder.Begin(kUnfinished);
+  auto draft = folder.Begin(store::kUnfinishedCopyName);
   if (!draft) return tl::unexpected(draft.error());
   if (auto ok = (*draft)->Append(header); !ok) return ok;
-  if (auto ok = CopyContent(root, seal, **draft); !ok) return ok;
+  if (auto ok = CopyContent(folder, root, seal, **draft); !ok) return ok;
   draft->reset();
-  if (auto ok = folder.Rename(kUnfinished, store::kCopyName); !ok) return ok;
+  if (auto ok = WantAlone(folder); !ok) return ok;
+  if (auto ok = folder.Rename(store::kUnfinishedCopyName, store::kCopyName); !ok) return ok;
   return folder.KeepNames();
 }
 
@@ -71,13 +76,14 @@ Result<Copied> KeepCopy(Folder& folder, Source& root, std::span<const std::uint8
   if (!seal) return tl::unexpected(seal.error());
   if (std::ranges::equal(header, there) && folder.BytesOf(store::kCopyName) == root.bytes())
     return Copied::kIsThere;
-  if (auto ok = folder.Remove(kUnfinished); !ok) return tl::unexpected(ok.error());
+  if (auto ok = folder.Remove(store::kUnfinishedCopyName); !ok) return tl::unexpected(ok.error());
   const auto has_room = HasRoom(folder, root.bytes());
   if (!has_room) return tl::unexpected(has_room.error());
   if (!*has_room) return Copied::kNoRoom;
   const auto written = WriteCopy(folder, root, header, *seal);
   if (written) return Copied::kMade;
-  static_cast<void>(folder.Remove(kUnfinished));
+  static_cast<void>(folder.Remove(store::kUnfinishedCopyName));
+  if (written.error().cause == std::errc::operation_canceled) return Copied::kGaveWay;
   return tl::unexpected(written.error());
 }
 
@@ -89,6 +95,8 @@ Result<void> KeepCopyOf(const std::filesystem::path& root_pack, const std::files
   const auto kept = KeepCopy(*folder, **root, AsBytes(there.value_or("")));
   if (!kept) return tl::unexpected(kept.error());
   if (*kept == Copied::kMade) Log("a copy of the box's own show is kept");
+  if (*kept == Copied::kGaveWay)
+    Log("a show comes from a stick: the box's own show is copied after the next start");
   if (*kept == Copied::kNoRoom)
     LogWarning("there is no room for a copy of the box's own show, which would play if its disk were spoilt");
   return {};

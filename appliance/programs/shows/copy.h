@@ -13,7 +13,8 @@ namespace kaori::shows {
 enum class Copied : std::uint8_t {
   kIsThere,  // It was made before.
   kMade,
-  kNoRoom,  // As much as Installation keeps free would not be left.
+  kNoRoom,   // As much as Installation keeps free would not be left.
+  kGaveWay,  // A show came from a stick meanwhile.
 };
 
 // Copies the root's show, piece by piece, unless the copy that is there begins as it does (`there`, which may be empty): a

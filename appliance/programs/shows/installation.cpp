@@ -18,7 +18,6 @@ namespace kaori::shows {
 namespace {
 
 // The name is no id and no choice, so that no reader of the folder ever takes it for one.
-constexpr const char* kIncoming = "incoming";
 
 // Read from front to back, once: what the header said and what is copied come from one open file, so that a
 // name that is given to another file meanwhile changes nothing.
@@ -77,7 +76,7 @@ Message MessageOf(const Error& error) {
 }
 
 void RemoveLeftovers(Folder& folder) {
-  for (const char* name : {kIncoming, kNewChoice}) static_cast<void>(folder.Remove(name));
+  for (const char* name : {store::kIncomingName, kNewChoice}) static_cast<void>(folder.Remove(name));
 }
 
 Installation::Installation(Folder& folder, std::unique_ptr<Source> source, show::PublicKeys keys, Trial trial,
@@ -114,7 +113,8 @@ const Progress& Installation::Step() {
 // The draft is closed before its file goes. How far the copy came is kept for whoever shows it.
 void Installation::Refuse(Message message, std::string detail) {
   draft_.reset();
-  static_cast<void>(folder_.Remove(kIncoming));  // Where this fails the next installation replaces it.
+  static_cast<void>(
+      folder_.Remove(store::kIncomingName));  // Where this fails the next installation replaces it.
   progress_ = {message, std::move(detail), progress_.done};
   stage_ = Stage::kEnded;
 }
@@ -144,7 +144,7 @@ void Installation::ReadHeader() {
   const auto room = MakeRoom(source_->bytes());
   if (!room) return RefuseFolder(room.error());
   if (!*room) return Refuse(Message::kFull, InMegabytes(source_->bytes() + kReserve_bytes) + " are needed");
-  auto draft = folder_.Begin(kIncoming);
+  auto draft = folder_.Begin(store::kIncomingName);
   if (!draft) return RefuseFolder(draft.error());
   draft_ = std::move(*draft);
   if (auto ok = draft_->Append(header); !ok) return RefuseFolder(ok.error());
@@ -169,25 +169,40 @@ bool Installation::NeedsCopy() {
   return false;
 }
 
+// A copy of the root's show that is being made gives way at its next piece (copy.cpp): its room comes a little later.
+Result<std::uint64_t> Installation::TakeUnfinishedCopy() {
+  const std::uint64_t copying_bytes = folder_.BytesOf(store::kUnfinishedCopyName);
+  if (copying_bytes == 0) return 0;
+  const auto before = folder_.FreeBytes();
+  if (!before) return before;
+  if (auto ok = folder_.Remove(store::kUnfinishedCopyName); !ok) return tl::unexpected(ok.error());
+  const auto after = folder_.FreeBytes();
+  if (!after) return after;
+  return *before + copying_bytes - std::min(*after, *before + copying_bytes);
+}
+
 // Where all that may go would not be enough, nothing goes.
 Result<bool> Installation::MakeRoom(std::uint64_t bytes) {
-  if (auto ok = folder_.Remove(kIncoming); !ok) return tl::unexpected(ok.error());
+  if (auto ok = folder_.Remove(store::kIncomingName); !ok) return tl::unexpected(ok.error());
+  const auto comes = TakeUnfinishedCopy();
+  if (!comes) return tl::unexpected(comes.error());
+  const auto free = [&] { return folder_.FreeBytes().map([&](std::uint64_t now) { return now + *comes; }); };
   const std::uint64_t wanted = bytes + kReserve_bytes;
-  const auto free = folder_.FreeBytes();
-  if (!free) return tl::unexpected(free.error());
+  const auto at_first = free();
+  if (!at_first) return tl::unexpected(at_first.error());
   const auto removable = Removable();
   if (!removable) return tl::unexpected(removable.error());
-  std::uint64_t at_most = *free;
+  std::uint64_t at_most = *at_first;
   for (const std::string& name : *removable) at_most += folder_.BytesOf(name);
   if (at_most < wanted) return false;
   for (const std::string& name : *removable) {
-    const auto now = folder_.FreeBytes();
+    const auto now = free();
     if (!now) return tl::unexpected(now.error());
     if (*now >= wanted) return true;
     if (auto ok = folder_.Remove(name); !ok) return tl::unexpected(ok.error());
     if (auto ok = folder_.KeepNames(); !ok) return tl::unexpected(ok.error());
   }
-  return folder_.FreeBytes().map([&](std::uint64_t now) { return now >= wanted; });
+  return free().map([&](std::uint64_t now) { return now >= wanted; });
 }
 
 // A copy of the root's show is first. The pack of the new show itself is among the next where it is there and does not play, or is spoilt: it is
@@ -244,7 +259,7 @@ void Installation::CopyPiece() {
 
 // The trial reads the copy from the disk: what the disk spoilt is found as well.
 void Installation::TryIt() {
-  if (auto ok = trial_(folder_.path() / kIncoming); !ok)
+  if (auto ok = trial_(folder_.path() / store::kIncomingName); !ok)
     return Refuse(ok.error().cause == std::errc::operation_canceled ? Message::kKeyOff : Message::kUnplayable,
                   ok.error().message());
   stage_ = Stage::kSwitch;
@@ -265,7 +280,8 @@ Result<void> Installation::BeginChoices() {
 void Installation::Switch() {
   if (!is_there_) {
     if (auto ok = BeginChoices(); !ok) return RefuseFolder(ok.error());
-    if (auto ok = folder_.Rename(kIncoming, store::PackName(id_)); !ok) return RefuseFolder(ok.error());
+    if (auto ok = folder_.Rename(store::kIncomingName, store::PackName(id_)); !ok)
+      return RefuseFolder(ok.error());
     if (auto ok = folder_.KeepNames(); !ok) return RefuseFolder(ok.error());
   }
   if (auto ok = WriteChoice(folder_, {store::NextGeneration(before_, told_), id_, ShowBefore()}); !ok)

@@ -56,6 +56,19 @@ TEST_F(CopyTest, GivesWayToTheNextOneAndToShowsThatNeedItsRoom) {
   EXPECT_EQ(folder_.BytesOf(store::kCopyName), 0U);
 }
 
+TEST_F(CopyTest, IsNotMadeWhileAShowComesFromAStick) {
+  ASSERT_TRUE((*folder_.Begin(store::kIncomingName))->Append(first_));
+  EXPECT_EQ(Keep(folder_, root_), Copied::kGaveWay);
+  EXPECT_THAT(folder_.Names().value(), ::testing::ElementsAre(store::kIncomingName));
+}
+
+TEST_F(CopyTest, ThatIsBeingMadeLeavesItsRoomToAShowOfAStick) {
+  folder_.capacity_bytes = root_.size() + Installation::kReserve_bytes + 5000;
+  ASSERT_TRUE((*folder_.Begin(store::kUnfinishedCopyName))->Append(root_));
+  EXPECT_EQ(Install(folder_, first_).message, Message::kInstalled);
+  EXPECT_EQ(folder_.BytesOf(store::kUnfinishedCopyName), 0U);
+}
+
 TEST_F(CopyTest, IsTheOldOneTheNewOneOrNoneWhereverThePowerGoes) {
   EXPECT_EQ(Keep(folder_, root_), Copied::kMade);
   int cuts = 0;
