@@ -79,10 +79,10 @@ Installation::Installation(std::unique_ptr<Source> source, show::PublicKeys keys
                            OtherSlot slot, Notes& notes)
     : source_(std::move(source)),
       keys_(std::move(keys)),
-      running_(running),
+      running_(std::move(running)),
       areas_{Area{Part::kRoot, &slot.root, 0, slot.root.bytes()},
              Area{Part::kVerity, &slot.verity, 0, slot.verity.bytes()},
-             Area{running.slot == ports::Slot::kA ? Part::kKernelB : Part::kKernelA, &slot.boot,
+             Area{running_.slot == ports::Slot::kA ? Part::kKernelB : Part::kKernelA, &slot.boot,
                   slot.kernel_at, slot.kernel_bytes}},
       notes_(notes) {}
 

@@ -121,6 +121,8 @@ class Installation {
   const Area& area() const { return areas_[area_]; }
   const PackedPart& part() const { return manifest_.part(area().part); }
 
+  // It stands first: its state is aligned to 64 bytes.
+  show::Checksummer sum_;
   std::unique_ptr<Source> source_;
   show::PublicKeys keys_;
   Running running_;
@@ -132,7 +134,6 @@ class Installation {
   // How far the source was read:
   // Of the payload, in the first reading; of the part, afterwards.
   std::uint64_t read_bytes_ = 0;
-  show::Checksummer sum_;
   // Which of the areas is being written or read back.
   std::size_t area_ = 0;
   std::uint64_t written_bytes_ = 0;

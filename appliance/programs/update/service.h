@@ -66,8 +66,9 @@ class UpdateService {
   // The first Step, or the last one with a client.
   std::optional<Time> busy_at_;
   std::optional<Disk> disk_;
-  std::optional<Installation> installation_;
   std::optional<Answer> said_;
+  // Writes to the disk, and is gone before it.
+  std::optional<Installation> installation_;
 };
 
 }  // namespace kaori::update
