@@ -55,6 +55,7 @@ class AxisGate {
 
  private:
   std::int32_t told_ = 0;
+  // Where it was last seen to go 20 away from, and how many values have stayed near that since.
   std::int32_t moved_to_ = 0;
   std::uint8_t still_ = kValuesToRest;
 };

@@ -14,6 +14,8 @@ constexpr std::uint32_t kTicksOfHalf = Refusal::kTicksPerSecond / 2;
 
 }  // namespace
 
+// The counter is of one whole period, so that it never grows beyond what the halves are told by. The lamp test goes
+// before the pattern: a technician may want to see every lamp of the box that is to get another chip.
 std::uint32_t Refusal::Tick() {
   const bool is_first_half = tick_ < kTicksOfHalf;
   tick_ = tick_ + 1 == 2 * kTicksOfHalf ? 0 : tick_ + 1;
@@ -30,11 +32,13 @@ std::size_t Refusal::Answer(ReportKind kind, std::span<std::uint8_t> into) {
   return wire::kSurfaceFeatureBytes;
 }
 
+// SET_REPORT. What a surface without an updater refuses is refused here too: the service has none.
 bool Refusal::Accept(ReportKind kind, std::span<const std::uint8_t> report) {
   if (kind != ReportKind::kFeature || report.size() != wire::kSurfaceFeatureBytes) return false;
   return service_.Accept(wire::DecodeSurfaceCommand(report.first<wire::kSurfaceFeatureBytes>()), lamps_);
 }
 
+// The identity of before is not kept: what is not named here is the surface's own, the serial number above all.
 UsbIdentity RefusedIdentity(const UsbIdentity& identity) {
   UsbIdentity refused = identity;
   refused.name = kName;

@@ -78,6 +78,7 @@ struct SurfaceStatus {
 
 // The report descriptor of a surface that refuses to play: the feature report alone, so that no driver takes it
 // for a dial box or a stick.
+// Drivers bind a device by its usages: a page of the vendor's own has none that they know.
 inline constexpr auto kRefusalDescriptor = std::to_array<std::uint8_t>({
     0x06, 0x00, 0xFF,        // Usage page: vendor FF00
     0x09, 0x42,              // Usage: vendor 42, a surface that refuses

@@ -180,6 +180,7 @@ void ChipUsb::Release(int button) {
   Send('R', std::array{static_cast<std::uint8_t>(button)});
 }
 
+// A converter's code goes over as it is: the emulator clamps it to 12 bits.
 void ChipUsb::Move(int axis, std::uint16_t code) {
   UsbBytes bytes(3);
   bytes[0] = static_cast<std::uint8_t>(axis);

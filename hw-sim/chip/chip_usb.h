@@ -26,6 +26,7 @@ class ChipUsb final : public UsbDevice {
   void Push(int button);
   void Release(int button);
   // An axis of a pod, 0 to 3: to the right, towards the operator, clockwise, the slider upwards. A code of its converter, 0 to 4095.
+  // It stays there until it is moved again; where it rests is 2047, as a potentiometer's middle.
   void Move(int axis, std::uint16_t code);
   // Bit n: lamp n is lit, as its shift registers put it out. As of the last report or answer.
   std::uint32_t lamps() const { return lamps_; }

@@ -34,6 +34,7 @@ StageView Stage(const Json& section) {
 
 // The sections of the devices that the puppeteer holds. The names are those that
 // `board` of the in-guest agent prints.
+// A section that no device has written yet has its defaults, and is not live.
 void ParseInput(const Json& board, BoardView& view) {
   const Json& surface = board.at("surface");
   view.surface_live = Live(surface);

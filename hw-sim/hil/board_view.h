@@ -92,6 +92,7 @@ struct BoardView {
   // What GO plays next.
   int cue_standby = 0;
   // In radians, as the stage plays them.
+  // Of the levels, not of the picture: a head that eases over is still on its way there.
   double head_yaw_rad = 0;
   double gaze_yaw_rad = 0;
   // By which a visitor of the desk pairs, as the screen shows it; -1: it shows none.

@@ -187,6 +187,7 @@ Result<void> PlayChip(Scene& scene, int way) {
   return played;
 }
 
+// Brought by tests/firmware/chip.py; without Node or npm there is none, and the checks say so.
 bool HasEmulator(Scene& scene) {
   const std::string& folder = scene.target.machine().options().chip;
   return !folder.empty() && std::filesystem::exists(folder + "/node_modules/rp2040js");
@@ -209,6 +210,7 @@ struct PodRole {
   StickView BoardView::*stick;
   double BoardView::*turned_rad;
 };
+// The sockets of the rig's own pods, by which the box knows a left stick from a right one.
 constexpr PodRole kPlaysHead{"stick-left", "the head", &BoardView::left, &BoardView::head_yaw_rad};
 constexpr PodRole kPlaysGaze{"stick-right", "the gaze", &BoardView::right, &BoardView::gaze_yaw_rad};
 

@@ -21,6 +21,7 @@ std::uint32_t CountsBetween(std::int32_t from, std::int32_t to) {
 
 }  // namespace
 
+// Where the dials stand now is where the first turn begins, however far a device has turned before.
 void TurnFinder::Begin(const board::Snapshot& board, Time now) {
   *this = {};
   from_ = last_ = board.surface.value.counts;
@@ -44,6 +45,8 @@ void TurnFinder::Look(const board::Snapshot& board, Time now) {
   changed_at_ = now;
 }
 
+// The dial that went furthest, where it is clear which one was meant: a sleeve that touches a neighbour moves it by a few
+// counts, and another hand by many. What is too little or too much for a turn changes nothing.
 void TurnFinder::Decide() {
   std::array<std::uint32_t, 8> ways{};
   for (std::size_t dial = 0; dial < ways.size(); ++dial) ways[dial] = CountsBetween(from_[dial], last_[dial]);

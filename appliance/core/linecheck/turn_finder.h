@@ -35,6 +35,7 @@ class TurnFinder {
 
  private:
   using Counts = std::array<std::int32_t, 8>;
+  // At the end of a turn: whose it was, or that nobody can tell.
   void Decide();
 
   Counts from_{};  // Where the dials stood before the turn, and where they stood last.

@@ -209,6 +209,8 @@ Profile ReadProfile(std::string_view text) {
   return reading.End();
 }
 
+// Options of kaori-input in one variable, which systemd splits at blanks: no value here has one. A serial box and dials on GPIO
+// lines may stand side by side; the one that comes second is then a spare, and the log names it.
 std::string DialsEnvironmentOf(const Profile& profile) {
   if (profile.dial_box.empty() && profile.dial_lines.empty()) return "KAORI_DIALS=\n";
   std::string options;

@@ -32,6 +32,7 @@ inline constexpr std::array<std::string_view, 3> kProfileNames{"stage", "kiosk",
 // and in [network]
 //   address = "10.101.90.20/24"   the box's address in a network; without it the box has none
 // Other sections are others' business.
+// Values are as the file has them, without quotes: who uses one knows what it may be.
 struct Profile {
   // One of kProfileNames.
   std::string name = "stage";

@@ -85,6 +85,7 @@ void DialSlot::Turn(std::size_t dial, std::int32_t counts, Time at) {
   section_.Turn(*map_->dials[dial], static_cast<std::int32_t>(turned), at);
 }
 
+// The inverse of what Turn does, without its whole numbers: a lesson rounds once, at its end.
 double DialSlot::CountsOfItsOwn(std::uint32_t on_board) const {
   return counts_per_turn_ == 0
              ? on_board
@@ -92,6 +93,7 @@ double DialSlot::CountsOfItsOwn(std::uint32_t on_board) const {
 }
 
 // Parts of a count are of the size that counts had before.
+// At a plug and by a lesson. What was turned before stays as it was counted.
 void DialSlot::SetCountsPerTurn(int counts) {
   counts_per_turn_ = counts;
   rests_ = {};

@@ -157,6 +157,8 @@ class InputService {
   LineInputs lines_;
   const std::vector<SurfaceMap> maps_;
   SurfaceSection surface_;
+  // What devices' dials have in one turn, and the lessons by which it is learnt; slots borrow the former, and the
+  // latter borrow slots and lines: they stand between them in this order.
   LearntTurns turns_;
   TurnLessons lessons_;
   const ports::MidiTap* midi_tap_;

@@ -35,12 +35,16 @@ std::string Written(std::string name) {
 
 }  // namespace
 
+// The nearest by counts, and then its share: between 96 and 100 the nearer one is taken, whichever it is, since the difference
+// is less than a hand's own.
 int UsualCounts(int counts) {
   const auto off = [counts](int usual) { return std::abs(usual - counts); };
   const int nearest = *std::ranges::min_element(kUsualCounts, {}, off);
   return 100 * off(nearest) <= kPercentOff * nearest ? nearest : counts;
 }
 
+// A file that a person has edited is read like one of ours. Whatever is wrong in it, hands play: the counts of the settings and
+// of the surface's file count then, as before anything was learnt.
 LearntTurns::LearntTurns(std::filesystem::path file) : file_(std::move(file)) {
   if (file_.empty() || !std::filesystem::exists(file_)) return;
   const auto read = toml::ReadToml(file_);
@@ -63,11 +67,13 @@ LearntTurns::LearntTurns(std::filesystem::path file) : file_(std::move(file)) {
   }
 }
 
+// The name as it is written, so that what is read back is found again.
 LearntTurns::Device LearntTurns::DeviceOf(const ports::HidIdentity& identity) {
   return {.usb = fmt::format("{:04x}:{:04x}", identity.vendor, identity.product),
           .name = Written(identity.name)};
 }
 
+// A handful of devices at most: they are looked through at each plug alone.
 int LearntTurns::CountsOf(const ports::HidIdentity& identity) const {
   const Device device = DeviceOf(identity);
   for (const Device& one : devices_)

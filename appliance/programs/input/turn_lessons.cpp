@@ -7,9 +7,12 @@
 
 namespace kaori::input {
 
+// A program that was started anew in the middle of a lesson does not know who turned: the stage hears no answer, and says so.
 TurnLessons::TurnLessons(const board::Board& board, LearntTurns& turns, LineInputs& lines)
     : board_(board), turns_(turns), lines_(lines), seen_(board.Read<board::Learn>().value.turn_lesson) {}
 
+// A lesson has a number of its own, by which a new one is told from one that still stands on the board. A number of 0 says that
+// there is none.
 void TurnLessons::Step(Time now) {
   const board::Learn learn = board_.Read<board::Learn>().value;
   if (learn.turn_lesson == seen_) return;
@@ -21,6 +24,7 @@ void TurnLessons::Step(Time now) {
   lines_.Call({.at = now, .verb = board::CallVerb::kLearn, .subject = static_cast<std::uint32_t>(answer)});
 }
 
+// Several devices may turn one dial of the board; a person turns one of them, and it was the last.
 DialSlot* TurnLessons::LastAt(std::size_t dial) const {
   DialSlot* last = nullptr;
   for (DialSlot* slot : slots_)

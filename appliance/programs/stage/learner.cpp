@@ -189,6 +189,7 @@ void Learner::LookAtTurns(const Frame& frame) {
   now_.phase = LearnPhase::kFound;
 }
 
+// Its answer is a call, which comes at once where it is there: what takes longer is a program that is away.
 // The device is kaori-input's, and so is what it has learnt of it.
 void Learner::AwaitTurnKept(const Frame& frame) {
   if (!answer_ && frame.now - changed_at_ < kLongestTurnKeeping) return;

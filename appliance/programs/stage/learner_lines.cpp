@@ -14,10 +14,12 @@ std::uint32_t Learner::ChoiceCount() const {
   return static_cast<std::uint32_t>(show::kNamedLevels + items + calls_.size() + 1);
 }
 
+// Behind all others, so that Up from the first choice comes to it.
 bool Learner::IsTurn() const {
   return now_.choice + 1 == ChoiceCount();
 }
 
+// Calls follow the levels, and the turn is none of them.
 bool Learner::IsCall() const {
   return now_.choice >= show::kNamedLevels + own_.items.faces.size() + own_.items.expressions.size() &&
          !IsTurn();
@@ -62,6 +64,7 @@ std::vector<std::string> Learner::LinesOfTurn() const {
   return lines;
 }
 
+// Each phase says what is to be done next; what hinders the search stands between.
 std::vector<std::string> Learner::Lines() const {
   if (IsTurn()) return LinesOfTurn();
   std::vector<std::string> lines{

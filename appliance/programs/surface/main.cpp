@@ -170,6 +170,7 @@ int Command(const Settings& settings, kaori::ports::HidBus& bus, std::string_vie
   return 0;
 }
 
+// Names are those of ParseCommand.
 // Whichever of the options is there; several are a mistake, of which the first counts.
 std::pair<std::string_view, std::string_view> CommandOf(const Settings& settings) {
   if (!settings.lamp_test.empty()) return {"lamp-test", settings.lamp_test};

@@ -23,6 +23,7 @@ Result<wire::SurfaceCommand> OneOfTwo(SurfaceOperation operation, std::string_vi
       .operation = operation, .number = static_cast<std::uint8_t>(value == one ? 1 : 0), .data = {}};
 }
 
+// What a STALL may mean, since a surface has no words of its own.
 std::string Refusal(SurfaceOperation operation) {
   if (operation == SurfaceOperation::kCalibrate)
     return " (it has no axes, was not told to begin, or one of its axes was not moved from stop to stop)";
@@ -38,6 +39,7 @@ Result<void> Send(ports::HidChannel& channel, const wire::SurfaceCommand& comman
   return channel.SetFeature(report);
 }
 
+// Options are those of main.cpp, without their dashes: whatever is none of the first two is the brightness.
 Result<wire::SurfaceCommand> ParseCommand(std::string_view option, std::string_view value) {
   if (option == "lamp-test") return OneOfTwo(SurfaceOperation::kLampTest, option, value, "on", "off");
   if (option == "calibrate") return OneOfTwo(SurfaceOperation::kCalibrate, option, value, "begin", "end");

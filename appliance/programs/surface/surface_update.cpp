@@ -76,6 +76,7 @@ Result<wire::SurfaceStatus> ReadStatus(ports::HidChannel& channel) {
   return wire::DecodeSurfaceStatus(std::span(report).subspan<1, wire::kSurfaceFeatureBytes>());
 }
 
+// Firmware that refuses for another reason, which there is none of today, would tell another stepping.
 std::string RefusalWords(const wire::SurfaceStatus& status) {
   if (status.state != wire::SurfaceState::kRefuses) return {};
   const std::string_view stepping = status.stepping == wire::ChipStepping::kB0   ? "B0"
@@ -85,6 +86,7 @@ std::string RefusalWords(const wire::SurfaceStatus& status) {
                      stepping);
 }
 
+// A box that does not answer may be on its way to a restart: it holds no show up.
 bool IsPlayingDialBox(const ports::HidIdentity& identity, const Result<wire::SurfaceStatus>& status) {
   return ProductOf(identity) == kDialBoxImage && status && status->state != wire::SurfaceState::kRefuses;
 }

@@ -81,6 +81,7 @@ std::vector<UpdateService::Due> UpdateService::Look(int& dial_boxes) {
 
 // Due is what is older than the newest file, and what tries that very version without a confirmation. A
 // surface that is newer than all files keeps what it has, and one that refuses for its chip's sake takes nothing.
+// What it says was asked for by Look, once for this and for the count of dial boxes.
 std::optional<UpdateService::Due> UpdateService::DueAt(const ports::HidIdentity& identity,
                                                        const wire::SurfaceStatus& status) const {
   const UpdateFile* const file = NewestFor(ProductOf(identity));

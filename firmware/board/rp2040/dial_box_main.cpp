@@ -64,6 +64,7 @@ void Main() {
                                       .report_descriptor = wire::kDialBoxDescriptor,
                                       .takes_output = true,
                                       .chip_id = chip_id};
+  // Before anything of the box is made: what refuses borrows none of it.
   if (!IsFit(unit.stepping)) Refuse(identity, unit);
   surface::Updater updater(flash, {.slot = static_cast<surface::Slot>(ToldSlot()),
                                    .product = kProduct,

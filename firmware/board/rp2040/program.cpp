@@ -16,11 +16,14 @@ void StartLooking() {
   At(kSysTickControl) = 7;  // The processor's clock, with an interrupt.
 }
 
+// The register reads 0 while its block is in reset, which would be taken for a chip that is too old.
 wire::ChipStepping ReadStepping() {
   Release(kResetSysInfo);
   return SteppingOf(At(kChipId), RomVersion());
 }
 
+// As Main of a surface, and with the same loop: the watchdog is fed, so that a chip which refuses does not restart again
+// and again. The switches that come back with the exchange are nobody's. All objects live on this stack for good.
 void Refuse(const surface::UsbIdentity& identity, const surface::Unit& unit) {
   surface::Refusal refusal(unit);
   UsbController usb;

@@ -64,6 +64,7 @@ void Main() {
                                       .name = "Kaori stick pod",
                                       .report_descriptor = wire::kStickPodDescriptor,
                                       .chip_id = chip_id};
+  // As the dial box does; a pod's converter is never asked then.
   if (!IsFit(unit.stepping)) Refuse(identity, unit);
   surface::Updater updater(flash, {.slot = static_cast<surface::Slot>(ToldSlot()),
                                    .product = kProduct,
