@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "appliance/programs/input/dial_slot.h"
+#include "appliance/programs/input/learnt_turns.h"
 #include "appliance/programs/input/surface_section.h"
 #include "drivers/base/clock.h"
 #include "firmware/wire/dial_box.h"
@@ -50,7 +51,8 @@ std::vector<Metric> MeasureHid(bool quick) {
   const SteadyClock clock;
   input::SurfaceSection section(*board, std::move(*writer), wire::kDialCountsPerTurn, 1);
   const std::vector<input::SurfaceMap> no_maps;
-  input::DialSlot dial_box(*board, section, 0, no_maps);
+  const input::LearntTurns nothing_learnt({});
+  input::DialSlot dial_box(*board, section, 0, no_maps, nothing_learnt);
   if (!dial_box.Plug(DialBox(), clock.now())) return {};
   std::vector<double> rates;
   for (int i = 0; i < kHidRounds / (quick ? 10 : 1); ++i) rates.push_back(ReportsPerSecond(dial_box, clock));
