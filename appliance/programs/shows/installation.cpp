@@ -170,7 +170,7 @@ bool Installation::NeedsCopy() {
 }
 
 // A copy of the root's show that is being made gives way at its next piece (copy.cpp): its room comes a little later.
-Result<std::uint64_t> Installation::TakeUnfinishedCopy() {
+Result<std::uint64_t> Installation::RemoveUnfinishedCopy() {
   const std::uint64_t copying_bytes = folder_.BytesOf(store::kUnfinishedCopyName);
   if (copying_bytes == 0) return 0;
   const auto before = folder_.FreeBytes();
@@ -184,7 +184,7 @@ Result<std::uint64_t> Installation::TakeUnfinishedCopy() {
 // Where all that may go would not be enough, nothing goes.
 Result<bool> Installation::MakeRoom(std::uint64_t bytes) {
   if (auto ok = folder_.Remove(store::kIncomingName); !ok) return tl::unexpected(ok.error());
-  const auto comes = TakeUnfinishedCopy();
+  const auto comes = RemoveUnfinishedCopy();
   if (!comes) return tl::unexpected(comes.error());
   const auto free = [&] { return folder_.FreeBytes().map([&](std::uint64_t now) { return now + *comes; }); };
   const std::uint64_t wanted = bytes + kReserve_bytes;

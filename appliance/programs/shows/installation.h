@@ -84,7 +84,7 @@ class Installation {
   void Refuse(Message message, std::string detail = {});
   void RefuseFolder(const Error& error);
   // The room that it has and that is not free yet. Errors: those of the folder.
-  Result<std::uint64_t> TakeUnfinishedCopy();
+  Result<std::uint64_t> RemoveUnfinishedCopy();
   // Removes packs until there is room: the copy of the root's, those that nobody plays, in the order of their names, and last the one
   // that was played before. What plays and what is chosen stays, but a spoilt one that is copied anew.
   Result<bool> MakeRoom(std::uint64_t bytes);
