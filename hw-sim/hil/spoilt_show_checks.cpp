@@ -21,6 +21,10 @@ std::string ShowOf(const Scene& scene) {
   return scene.target.machine().options().image + "/root/usr/share/kaori/kaori.kaori";
 }
 
+// What is to be seen here is a chain: the kernel refuses the block, the stage ends by it twice, reads the whole show, finds no
+// copy (the box was never seen for a minute), and says so by a file; systemd then has kaori-update try the other slot. Each
+// link has its unit tests; that they meet is shown by the PC that starts again, and by the slot that starts from then on.
+//
 // The machine of the first start ends by itself: QEMU does not start a PC again.
 Result<void> SpoiltShowGivesWay(Scene& scene) {
   const auto pc = UpdatedPc::Make(scene);

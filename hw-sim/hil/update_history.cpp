@@ -23,6 +23,10 @@ Result<void> CopySparse(const std::string& from, const std::string& to, const st
 
 }  // namespace
 
+// Whoever cuts the power of a machine finds on its disk all that it had flushed, and of the rest what the disk pleased to
+// write. Here a cut is between two writes in the order in which QEMU finished them: the disk keeps no cache of its own.
+// Losses and other orders are tried without a machine, by tests/appliance/programs/update_power_cut_test.cpp, which judge
+// each point of a log instead of starting from some of them.
 Result<UpdateHistory> UpdateHistory::Begin(Scene& scene, const UpdatedPc& pc) {
   UpdateHistory history(scene.target.machine().options().folder + "/update-history");
   std::filesystem::remove_all(history.folder_);
@@ -46,6 +50,8 @@ std::string UpdateHistory::Name(std::size_t start, const char* what) const {
   return fmt::format("{}/{}.{}", folder_, start, what);
 }
 
+// The log goes with its start: the next one is noted in a file of the same name. What the firmware keeps is copied, since
+// the PC goes on with it.
 Result<void> UpdateHistory::Add(const UpdatedPc& pc) {
   const std::string log = Name(starts_.size(), "log"), kept = Name(starts_.size(), "variables");
   std::error_code failed;
@@ -63,6 +69,7 @@ std::size_t UpdateHistory::entries() const {
                                [](const WriteLog& start) { return start.entries().size(); });
 }
 
+// A write that only touches the span counts as well: a partition's writer may join neighbours.
 std::size_t UpdateHistory::FirstInto(const DiskSpan& span) const {
   std::size_t before = 0;
   for (const WriteLog& start : starts_) {

@@ -48,6 +48,7 @@ glm::vec3 PaintAt(const Appearance& appearance, const Dressing& dressing, std::s
   return paint;
 }
 
+// Two tables in one array: the shader looks both up at the same steps.
 // As clothes.vert wants them: x what these clothes have, y what all have; behind the steps the half widths.
 std::array<glm::vec4, Outline::kSamples + 1> Outlines(const Outline& own, const Outline& all) {
   std::array<glm::vec4, Outline::kSamples + 1> outlines{};

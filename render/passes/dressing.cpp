@@ -107,6 +107,11 @@ void Necks::MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& 
   }
 }
 
+// Two garments that share the picture meet at a border that wanders down and outwards. Where their outlines differ, the one
+// inside the border ends in the air beyond the other's shoulder: it looks like a wing. So the outline is measured once, as
+// heights over even steps from the middle, which mix as numbers do; what mixes is what an audience sees from the front, since
+// clothes do not turn with the head.
+//
 // The highest point of all edges at each step. Steps that no edge crosses are as the one before.
 void Necks::MeasureOutline(const face::Cast& cast, const face::Face& face, Neck& neck) {
   Outline& outline = neck.outline;

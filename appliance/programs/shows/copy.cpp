@@ -17,6 +17,7 @@ Result<void> WantAlone(const Folder& folder) {
   return Fail(std::errc::operation_canceled, "copy the box's own show while another one comes");
 }
 
+// Before each piece it is asked whether a show has begun to come: at the lowest priority one piece may take seconds.
 // Content by content, so that what goes to the disk is what the header's checksum was made of.
 Result<void> CopyContent(const Folder& folder, Source& root, const show::PackSeal& seal, Draft& draft) {
   show::Checksummer sum;

@@ -181,6 +181,9 @@ Result<std::uint64_t> Installation::RemoveUnfinishedCopy() {
   return *before + copying_bytes - std::min(*after, *before + copying_bytes);
 }
 
+// The room of what was removed is free at once, except that of an open file, which its writer still has. What comes of it is
+// added to each look at the disk; a writer that never closes it would have the copy end for want of room, and say so.
+//
 // Where all that may go would not be enough, nothing goes.
 Result<bool> Installation::MakeRoom(std::uint64_t bytes) {
   if (auto ok = folder_.Remove(store::kIncomingName); !ok) return tl::unexpected(ok.error());
