@@ -20,7 +20,7 @@ TOOLS = {
                     "tr truncate true uname uniq wc xargs bash sh dpkg dpkg-deb dpkg-query apt-get apt-cache env ldd sudo "
                     "readlink unshare mount su sync perl gzip hostname cmp setpriv apt nohup du expr".split(), ESSENTIAL),
     "systemd-analyze": "systemd", "python3": "python3", "git": "git",
-    "cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "make": "make", "gcc": "gcc", "g++": "g++", "ccache": "ccache",
+    "cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "make": "make", "patch": "patch", "gcc": "gcc", "g++": "g++", "ccache": "ccache",
     "clang-14": "clang-14", "clang++-14": "clang-14", "clang-tidy-14": "clang-tidy-14", "clang-format-14": "clang-format-14",
     "chromium": "chromium", "node": "nodejs", "npm": "npm", "ffmpeg": "ffmpeg", "shellcheck": "shellcheck",
     "mmdebstrap": "mmdebstrap", "mkfs.erofs": "erofs-utils", "mke2fs": "e2fsprogs", "e2fsck": "e2fsprogs",
