@@ -174,10 +174,10 @@ Result<std::uint64_t> Installation::RemoveUnfinishedCopy() {
   const std::uint64_t copying_bytes = folder_.BytesOf(store::kUnfinishedCopyName);
   if (copying_bytes == 0) return 0;
   const auto before = folder_.FreeBytes();
-  if (!before) return before;
+  if (!before) return tl::unexpected(before.error());
   if (auto ok = folder_.Remove(store::kUnfinishedCopyName); !ok) return tl::unexpected(ok.error());
   const auto after = folder_.FreeBytes();
-  if (!after) return after;
+  if (!after) return tl::unexpected(after.error());
   return *before + copying_bytes - std::min(*after, *before + copying_bytes);
 }
 
