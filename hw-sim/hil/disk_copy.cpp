@@ -7,6 +7,7 @@
 
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
+#include "firmware/wire/bytes.h"
 
 #include "hw-sim/hil/process.h"
 
@@ -26,14 +27,6 @@ constexpr std::uint64_t kMostEntries = 512, kLeastEntry_bytes = 128;
 
 constexpr std::size_t kMostTable_bytes = std::size_t{1}
                                          << 20U;  // Of the disk, with its head and all entries.
-
-// A little-endian number of `length` bytes.
-// `length` is at most 8, and the bytes must lie within the text: callers look at its size first.
-std::uint64_t Number(std::string_view bytes, std::size_t at, std::size_t length) {
-  std::uint64_t number = 0;
-  for (std::size_t n = length; n-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + n]);
-  return number;
-}
 
 // Names are UTF-16; ours have plain letters only.
 std::string NameOf(std::string_view entry) {
@@ -62,13 +55,14 @@ Result<DiskSpan> PartitionSpan(const std::string& disk, const std::string& name)
   const std::string_view bytes = *table, head = bytes.substr(std::min(bytes.size(), kBlock_bytes));
   if (head.size() < kBlock_bytes || !head.starts_with("EFI PART"))
     return FailInput(disk + " has no partition table");
-  const std::uint64_t entries = Number(head, kEntriesAt, 8) * kBlock_bytes;
-  const std::uint64_t size = Number(head, kEntrySize, 4);
-  const std::uint64_t count = std::min(Number(head, kEntryCount, 4), kMostEntries);
+  const std::uint64_t entries = wire::GetU64(AsBytes(head), kEntriesAt) * kBlock_bytes;
+  const std::uint64_t size = wire::GetU32(AsBytes(head), kEntrySize);
+  const std::uint64_t count = std::min<std::uint64_t>(wire::GetU32(AsBytes(head), kEntryCount), kMostEntries);
   for (std::uint64_t at = entries; at < entries + count * size && at + kLeastEntry_bytes <= bytes.size();
        at += size)
     if (const auto entry = bytes.substr(at, kLeastEntry_bytes); NameOf(entry) == name) {
-      const std::uint64_t first = Number(entry, kFirstBlock, 8), last = Number(entry, kLastBlock, 8);
+      const std::uint64_t first = wire::GetU64(AsBytes(entry), kFirstBlock),
+                          last = wire::GetU64(AsBytes(entry), kLastBlock);
       return DiskSpan{first * kBlock_bytes, (last - first + 1) * kBlock_bytes};
     }
   return FailInput(disk + " has no partition " + name);
@@ -78,14 +72,17 @@ Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::s
   return PartitionSpan(disk, name).map([](const DiskSpan& span) { return span.at_bytes; });
 }
 
+Result<void> CopySparse(const std::string& from, const std::string& to, const std::string& log) {
+  return RunToEnd({"cp", "--sparse=always", from, to}, log);
+}
+
 // What cp says goes into a log beside the copy.
 Result<DiskCopy> CopyDisk(const std::string& disk, const std::string& folder, const std::string& name,
                           const std::string& partition) {
   const auto start = PartitionStart_bytes(disk, partition);
   if (!start) return tl::unexpected(start.error());
   DiskCopy copy{.file = folder + "/" + name, .start_bytes = *start};
-  if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy.file}, folder + "/cp.log"); !ok)
-    return tl::unexpected(ok.error());
+  if (auto ok = CopySparse(disk, copy.file, folder + "/cp.log"); !ok) return tl::unexpected(ok.error());
   return copy;
 }
 

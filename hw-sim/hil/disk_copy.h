@@ -18,6 +18,10 @@ Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::s
 // The same with its length. Errors: as PartitionStart_bytes.
 Result<DiskSpan> PartitionSpan(const std::string& disk, const std::string& name);
 
+// Copies a file that is mostly empty, as disks are, to `to`, a file or a folder; a file that is there is replaced. What cp says
+// goes to `log`. Blocks while it copies. Errors: those of cp.
+Result<void> CopySparse(const std::string& from, const std::string& to, const std::string& log);
+
 // A copy of a disk, and where one of its partitions begins on it.
 struct DiskCopy {
   std::string file;

@@ -8,17 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "hw-sim/hil/process.h"
+#include "hw-sim/hil/disk_copy.h"
 
 namespace kaori::hil {
 namespace {
 
 bool Meets(const LoggedWrite& write, const DiskSpan& span) {
   return write.at_bytes < span.at_bytes + span.bytes && span.at_bytes < write.at_bytes + write.bytes;
-}
-
-Result<void> CopySparse(const std::string& from, const std::string& to, const std::string& log) {
-  return RunToEnd({"cp", "--sparse=always", from, to}, log);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "drivers/base/read_file.h"
+#include "firmware/wire/bytes.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/process.h"
@@ -68,8 +69,7 @@ void UpdatedPc::KeepRestarted(Scene& scene) const {
   std::filesystem::remove_all(kept, none);
   std::filesystem::create_directories(kept, none);
   for (const std::string& file : {Disk(), Variables()})
-    if (!RunToEnd({"cp", "--sparse=always", file, kept}, folder_ + "/cp.log"))
-      std::filesystem::remove_all(kept, none);
+    if (!CopySparse(file, kept, folder_ + "/cp.log")) std::filesystem::remove_all(kept, none);
 }
 
 UpdatedPc::~UpdatedPc() {
@@ -113,18 +113,14 @@ Result<DiskSpan> UpdatedPc::DecidingSector() const {
 Result<DiskSpan> UpdatedPc::FatTables() const {
   const auto start = PartitionStart_bytes(Disk(), "boot");
   if (!start) return tl::unexpected(start.error());
-  std::array<char, kSector_bytes> head{};
+  std::array<std::uint8_t, kSector_bytes> head{};
   std::ifstream file(Disk(), std::ios::binary);
   file.seekg(static_cast<std::streamoff>(*start));
-  const auto number = [&](std::size_t at, std::size_t length) {
-    std::uint64_t value = 0;
-    for (std::size_t n = length; n-- > 0;) value = value << 8U | static_cast<unsigned char>(head[at + n]);
-    return value;
-  };
-  if (!file.read(head.data(), head.size()) || number(510, 2) != 0xAA55 || number(11, 2) != kSector_bytes)
+  file.read(reinterpret_cast<char*>(head.data()), head.size());
+  if (!file || wire::GetU16(head, 510) != 0xAA55 || wire::GetU16(head, 11) != kSector_bytes)
     return FailInput(Disk() + " has no FAT to start from");
-  const std::uint64_t each = number(22, 2) != 0 ? number(22, 2) : number(36, 4);
-  return DiskSpan{*start, (number(14, 2) + number(16, 1) * each) * kSector_bytes};
+  const std::uint64_t each = wire::GetU16(head, 22) != 0 ? wire::GetU16(head, 22) : wire::GetU32(head, 36);
+  return DiskSpan{*start, (wire::GetU16(head, 14) + head[16] * each) * kSector_bytes};
 }
 
 char UpdatedPc::Default() const {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <string_view>
+
+#include "firmware/wire/bytes.h"
 
 namespace kaori::hil {
 namespace {
@@ -15,17 +16,11 @@ constexpr std::uint64_t kSaysFlush = 1, kSaysDiscard = 4;  // Flags of an entry.
 // A machine never writes more at once; a number above it is none.
 constexpr std::uint64_t kMostAtOnce_bytes = std::uint64_t{1} << 30U;
 
-std::uint64_t NumberAt(std::string_view bytes, std::size_t at, std::size_t length = 8) {
-  std::uint64_t number = 0;
-  for (std::size_t n = length; n-- > 0;) number = number << 8U | static_cast<unsigned char>(bytes[at + n]);
-  return number;
-}
-
 // Nothing at the file's end.
-bool ReadSector(std::ifstream& file, std::uint64_t at, std::array<char, kLogSector_bytes>& sector) {
+bool ReadSector(std::ifstream& file, std::uint64_t at, std::array<std::uint8_t, kLogSector_bytes>& sector) {
   file.clear();
   file.seekg(static_cast<std::streamoff>(at));
-  return static_cast<bool>(file.read(sector.data(), sector.size()));
+  return static_cast<bool>(file.read(reinterpret_cast<char*>(sector.data()), sector.size()));
 }
 
 }  // namespace
@@ -39,16 +34,16 @@ Result<WriteLog> WriteLog::Read(const std::string& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return Fail(std::errc::no_such_file_or_directory, "open " + path);
   const auto length = static_cast<std::uint64_t>(file.tellg());
-  std::array<char, kLogSector_bytes> sector{};
-  const std::string_view bytes(sector.data(), sector.size());
+  std::array<std::uint8_t, kLogSector_bytes> sector{};
   const bool has_head =
-      ReadSector(file, 0, sector) && !bytes.starts_with(std::string(kLogSector_bytes, '\0'));
-  if (has_head && (NumberAt(bytes, 0) != kLogMagic || NumberAt(bytes, 8) != kLogVersion ||
-                   NumberAt(bytes, 24, 4) != kLogSector_bytes))
+      ReadSector(file, 0, sector) && std::ranges::any_of(sector, [](auto byte) { return byte != 0; });
+  if (has_head && (wire::GetU64(sector, 0) != kLogMagic || wire::GetU64(sector, 8) != kLogVersion ||
+                   wire::GetU32(sector, 24) != kLogSector_bytes))
     return FailInput(path + " is no log of writes");
   std::vector<LoggedWrite> entries;
   for (std::uint64_t at = kLogSector_bytes; ReadSector(file, at, sector);) {
-    const std::uint64_t where = NumberAt(bytes, 0), count = NumberAt(bytes, 8), flags = NumberAt(bytes, 16);
+    const std::uint64_t where = wire::GetU64(sector, 0), count = wire::GetU64(sector, 8),
+                        flags = wire::GetU64(sector, 16);
     const std::uint64_t size = count * kLogSector_bytes;
     if (count > kMostAtOnce_bytes / kLogSector_bytes) break;
     at += kLogSector_bytes;
