@@ -18,6 +18,9 @@ constexpr float kNape = 0.27F;
 // What lies off the scalp by this much moves as the scalp does below it: hair keeps its thickness.
 constexpr std::array<float, 3> kLayers{-0.01F, 0.005F, 0.02F};
 
+// Spread over the scalp they say all that twenty terms can hold; the fits of all pairs of faces take time for each.
+constexpr std::size_t kMostVertices = 2000;
+
 // As hair.vert: what hangs lower moves as what is there.
 constexpr float kLowest_m = -0.02F;
 
@@ -41,6 +44,9 @@ std::vector<std::size_t> ScalpOf(const face::Topology& topology) {
     const glm::vec2 uv = topology.uv[i];
     if (uv.y > kBrows || (std::abs(uv.x - 0.5F) > kBehindEars && uv.y > kNape)) scalp.push_back(i);
   }
+  const std::size_t step = (scalp.size() + kMostVertices - 1) / kMostVertices;
+  for (std::size_t i = 0; i * step < scalp.size(); ++i) scalp[i] = scalp[i * step];
+  scalp.resize(step == 0 ? 0 : (scalp.size() + step - 1) / step);
   return scalp;
 }
 
@@ -81,16 +87,16 @@ Matrix FactorOver(const std::vector<Basis>& bases) {
   return m;
 }
 
-// Every layer over a vertex moves as the vertex does. Sums are in double precision, since they run over all
-// points of the scalp.
-HeadFit::Motion MotionBetween(const std::vector<std::size_t>& scalp, const std::vector<Basis>& bases,
+// Every layer over a vertex moves as the vertex does, so that their terms are added up once (`layered`, a sum for each
+// vertex). Sums are in double precision, since they run over all points of the scalp.
+HeadFit::Motion MotionBetween(const std::vector<std::size_t>& scalp, const std::vector<Basis>& layered,
                               const Matrix& factor, const face::Face& from, const face::Face& to) {
   std::array<Basis, 3> sums{};
-  for (std::size_t v = 0; v < bases.size(); ++v) {
-    const std::size_t at = scalp[v / kLayers.size()];
-    const glm::vec3 way = to.positions[at] - from.positions[at];
-    for (std::size_t i = 0; i < kTerms; ++i) {
-      for (int axis = 0; axis < 3; ++axis) sums[static_cast<std::size_t>(axis)][i] += bases[v][i] * way[axis];
+  for (std::size_t v = 0; v < scalp.size(); ++v) {
+    const glm::vec3 way = to.positions[scalp[v]] - from.positions[scalp[v]];
+    for (std::size_t axis = 0; axis < sums.size(); ++axis) {
+      const double along = way[static_cast<int>(axis)];
+      for (std::size_t i = 0; i < kTerms; ++i) sums[axis][i] += layered[v][i] * along;
     }
   }
   for (Basis& sum : sums) Solve(factor, sum);
@@ -104,13 +110,18 @@ HeadFit::Motion MotionBetween(const std::vector<std::size_t>& scalp, const std::
 HeadFit::HeadFit(const face::Cast& cast) : faces_(cast.faces.size()) {
   const std::vector<std::size_t> scalp = ScalpOf(cast.topology);
   for (const face::Face& from : cast.faces) {
-    std::vector<Basis> bases;
+    std::vector<Basis> bases, layered;
     for (const std::size_t v : scalp) {
       const glm::vec3 out = glm::normalize(from.positions[v] - kMiddle_m);
-      for (const float off_m : kLayers) bases.push_back(BasisAt(from.positions[v] + off_m * out));
+      Basis& sum = layered.emplace_back();
+      for (const float off_m : kLayers) {
+        const Basis& basis = bases.emplace_back(BasisAt(from.positions[v] + off_m * out));
+        for (std::size_t i = 0; i < kTerms; ++i) sum[i] += basis[i];
+      }
     }
     const Matrix factor = FactorOver(bases);
-    for (const face::Face& to : cast.faces) motions_.push_back(MotionBetween(scalp, bases, factor, from, to));
+    for (const face::Face& to : cast.faces)
+      motions_.push_back(MotionBetween(scalp, layered, factor, from, to));
   }
 }
 

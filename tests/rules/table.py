@@ -56,7 +56,7 @@ MAY_INCLUDE = (
                                             "appliance/core/update/", "appliance/programs/status/",
                                             # A settings file is judged by the programs that will read it.
                                             "appliance/programs/boot/", "appliance/programs/input/")),
-    ("appliance/programs/update/", _PORTS + ("appliance/core/show/", "appliance/core/update/")),
+    ("appliance/programs/update/", _PORTS + ("appliance/core/board/", "appliance/core/show/", "appliance/core/update/")),
     ("appliance/programs/lips/protocol/", _BASE),
     ("appliance/programs/lips/", _PROGRAM),
     ("appliance/programs/report/", _PROGRAM + ("appliance/programs/editor/",)),  # Expressions that were made on the box.

@@ -1,7 +1,9 @@
 #include "appliance/programs/shows/copy.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "drivers/base/log.h"
@@ -17,14 +19,23 @@ Result<void> WantAlone(const Folder& folder) {
   return Fail(std::errc::operation_canceled, "copy the box's own show while another one comes");
 }
 
-// Before each piece it is asked whether a show has begun to come: at the lowest priority one piece may take seconds.
+// Before each piece, and ten times a second while the copy rests: at the lowest priority one piece may take seconds.
+Result<void> AwaitTurn(const Folder& folder, const std::function<bool()>& may_work) {
+  constexpr auto kAsk = std::chrono::milliseconds(100);
+  while (true) {
+    if (auto ok = WantAlone(folder); !ok || !may_work || may_work()) return ok;
+    std::this_thread::sleep_for(kAsk);
+  }
+}
+
 // Content by content, so that what goes to the disk is what the header's checksum was made of.
-Result<void> CopyContent(const Folder& folder, Source& root, const show::PackSeal& seal, Draft& draft) {
+Result<void> CopyContent(const Folder& folder, Source& root, const show::PackSeal& seal, Draft& draft,
+                         const std::function<bool()>& may_work) {
   show::Checksummer sum;
   // One piece at a time is in memory, since a show may be larger than what is free.
   std::vector<std::uint8_t> piece(Installation::kPiece_bytes);
   for (std::uint64_t left = seal.content_bytes; left > 0;) {
-    if (auto ok = WantAlone(folder); !ok) return ok;
+    if (auto ok = AwaitTurn(folder, may_work); !ok) return ok;
     const auto wanted =
         std::span(piece).first(static_cast<std::size_t>(std::min<std::uint64_t>(left, piece.size())));
     const auto got = root.Read(wanted);
@@ -55,11 +66,11 @@ Result<bool> HasRoom(Folder& folder, std::uint64_t bytes) {
 
 // The content is on the disk before it has the copy's name.
 Result<void> WriteCopy(Folder& folder, Source& root, const show::PackHeader& header,
-                       const show::PackSeal& seal) {
+                       const show::PackSeal& seal, const std::function<bool()>& may_work) {
   auto draft = folder.Begin(store::kUnfinishedCopyName);
   if (!draft) return tl::unexpected(draft.error());
   if (auto ok = (*draft)->Append(header); !ok) return ok;
-  if (auto ok = CopyContent(folder, root, seal, **draft); !ok) return ok;
+  if (auto ok = CopyContent(folder, root, seal, **draft, may_work); !ok) return ok;
   draft->reset();
   if (auto ok = WantAlone(folder); !ok) return ok;
   if (auto ok = folder.Rename(store::kUnfinishedCopyName, store::kCopyName); !ok) return ok;
@@ -69,7 +80,8 @@ Result<void> WriteCopy(Folder& folder, Source& root, const show::PackHeader& hea
 }  // namespace
 
 // A copy that was cut off takes the room of the next one.
-Result<Copied> KeepCopy(Folder& folder, Source& root, std::span<const std::uint8_t> there) {
+Result<Copied> KeepCopy(Folder& folder, Source& root, std::span<const std::uint8_t> there,
+                        const std::function<bool()>& may_work) {
   show::PackHeader header{};
   const auto got = root.Read(header);
   if (!got) return tl::unexpected(got.error());
@@ -81,19 +93,20 @@ Result<Copied> KeepCopy(Folder& folder, Source& root, std::span<const std::uint8
   const auto has_room = HasRoom(folder, root.bytes());
   if (!has_room) return tl::unexpected(has_room.error());
   if (!*has_room) return Copied::kNoRoom;
-  const auto written = WriteCopy(folder, root, header, *seal);
+  const auto written = WriteCopy(folder, root, header, *seal, may_work);
   if (written) return Copied::kMade;
   static_cast<void>(folder.Remove(store::kUnfinishedCopyName));
   if (written.error().cause == std::errc::operation_canceled) return Copied::kGaveWay;
   return tl::unexpected(written.error());
 }
 
-Result<void> KeepCopyOf(const std::filesystem::path& root_pack, const std::filesystem::path& shows) {
+Result<void> KeepCopyOf(const std::filesystem::path& root_pack, const std::filesystem::path& shows,
+                        const std::function<bool()>& may_work) {
   const auto folder = OpenFolder(shows);
   auto root = OpenSource(root_pack);
   if (!root) return tl::unexpected(root.error());
   const auto there = ReadBeginning(shows / store::kCopyName, show::kPackHeader_bytes);
-  const auto kept = KeepCopy(*folder, **root, AsBytes(there.value_or("")));
+  const auto kept = KeepCopy(*folder, **root, AsBytes(there.value_or("")), may_work);
   if (!kept) return tl::unexpected(kept.error());
   if (*kept == Copied::kMade) Log("a copy of the box's own show is kept");
   if (*kept == Copied::kGaveWay)

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "appliance/programs/shows/folder.h"
 #include "drivers/base/folder.h"
@@ -22,13 +23,14 @@ class DiskDraft final : public Draft {
   DiskDraft(UniqueFd fd, std::string name) : fd_(std::move(fd)), name_(std::move(name)) {}
 
   Result<void> Append(std::span<const std::uint8_t> bytes) override {
+    const auto length = static_cast<off_t>(bytes.size());
     while (!bytes.empty()) {
       const ssize_t written = ::write(fd_.get(), bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
       if (written < 0) return FailErrno("write " + name_);
       bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    return {};
+    return WriteThrough(std::exchange(end_, end_ + length), length);
   }
 
   // The kernel forgets the pages, so that whoever checks the file next reads the disk and not its memory.
@@ -39,8 +41,18 @@ class DiskDraft final : public Draft {
   }
 
  private:
+  // The kernel would keep the piece in memory, which is the face's, and write all of them together at some later time.
+  Result<void> WriteThrough(off_t at, off_t length) const {
+    constexpr unsigned kAll =
+        SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER;
+    if (::sync_file_range(fd_.get(), at, length, kAll) < 0) return FailErrno("write " + name_);
+    ::posix_fadvise(fd_.get(), at, length, POSIX_FADV_DONTNEED);
+    return {};
+  }
+
   UniqueFd fd_;
   std::string name_;
+  off_t end_ = 0;
 };
 
 class DiskFolder final : public Folder {

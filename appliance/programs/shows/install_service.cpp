@@ -242,6 +242,7 @@ void InstallService::Install(const Choosable& taken) {
 }
 
 void InstallService::StepInstallation() {
+  if (!MayWork()) return;
   const Message before = installation_->progress().message;
   const Progress progress = installation_->Step();
   if (installation_->ended()) ListAnew();

@@ -54,6 +54,8 @@ struct OfBox {
   BoxSettings* settings = nullptr;
   // Where visitors of the desk see the list and take lines of it.
   DeskLink* desk = nullptr;
+  // Whether copies may go on now, beside the face; null: always.
+  std::function<bool()> may_work{};
 };
 
 // One thread; folder and board must outlive it. While another program has the board's section `shows_menu`
@@ -113,6 +115,7 @@ class InstallService {
   void TellOfSettings(const Progress& progress, bool is_left);
   // Something is on its way; nothing else is taken meanwhile.
   bool IsBusy() const;
+  bool MayWork() const { return !of_box_.may_work || of_box_.may_work(); }
   // The desk's part: what a visitor asks for, and the state for its page.
   void HearDesk();
   void CopyForDesk(Request request);

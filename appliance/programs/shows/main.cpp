@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "appliance/core/board/face_pace.h"
 #include "appliance/core/board/watch.h"
 #include "appliance/core/store/play_log.h"
 #include "appliance/programs/shows/backup_commands.h"
@@ -196,7 +197,8 @@ int Restore(const Settings& settings) {
 
 // Once the root's show has been seen for a while.
 int Keep(const Settings& settings) {
-  const auto kept = kaori::shows::KeepCopyOf(settings.keep, settings.shows);
+  const auto kept =
+      kaori::shows::KeepCopyOf(settings.keep, settings.shows, kaori::board::PaceByBoardAt(settings.board));
   return kept ? 0 : kaori::ExitWithError(kept.error());
 }
 
@@ -232,14 +234,16 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   const auto support = [&](const fs::path& stick) {
     return WriteSupport(settings, *folder, &*board, sticks, stick);
   };
-  const auto trial = TrialBy(settings, {.wanted = wanted, .user = *user});
+  // A show is copied and tried in one piece of work.
+  const auto may_work = kaori::board::PaceByBoardAt(settings.board);
+  const auto trial = TrialBy(settings, {.wanted = wanted, .may_work = may_work, .user = *user});
   kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), trial);
   kaori::shows::BoxSettings box_settings({.data = fs::path(settings.shows).parent_path(),
                                           .screens = fs::path(settings.board).parent_path() / "screens"});
   auto desk = OpenDesk(settings);
   kaori::shows::InstallService service(
       {settings.root_keys, settings.keys, settings.report, plays, settings.update}, *folder, *board, look,
-      trial, {support, &copies, &box_settings, desk ? &*desk : nullptr});
+      trial, {support, &copies, &box_settings, desk ? &*desk : nullptr, may_work});
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();

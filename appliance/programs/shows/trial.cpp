@@ -93,35 +93,52 @@ Result<Child> Spawn(const std::string& program, const std::string& pack,
 }
 
 // A process of another user is sent a signal by that user alone, or with a right that this one has not.
+void Signal(const Child& child, int signal, const std::optional<TrialUser>& user) {
+  const LentIds ids(user);
+  ::kill(child.pid, signal);
+}
+
 void Kill(const Child& child, const std::optional<TrialUser>& user) {
-  {
-    const LentIds ids(user);
-    ::kill(child.pid, SIGKILL);
-  }
+  Signal(child, SIGKILL, user);
   while (::waitpid(child.pid, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
 
-// How long to listen.
-struct Patience {
-  Time until{};
-  const std::function<bool()>& wanted;
-};
+// How long a child is listened to, and when it rests.
+class Patience {
+ public:
+  Patience(const Child& child, const TrialTerms& terms)
+      : child_(child), terms_(terms), asked_(SteadyClock().now()), until_(asked_ + terms.longest) {}
 
-// Whether somebody still waits for the answer. Errors: timed_out, operation_canceled.
-Result<void> Wanted(const Patience& patience) {
-  if (SteadyClock().now() >= patience.until) return Fail(std::errc::timed_out, "rehearse the show");
-  if (patience.wanted && !patience.wanted()) return Fail(std::errc::operation_canceled, "rehearse the show");
-  return {};
-}
+  // Stops the child or lets it go on, and says whether somebody still waits for it. To be called every kAsk_ms. Errors:
+  // timed_out, operation_canceled.
+  Result<void> Ask() {
+    const Time now = SteadyClock().now();
+    if (is_stopped_) until_ += now - asked_;
+    asked_ = now;
+    const bool may_work = !terms_.may_work || terms_.may_work();
+    if (may_work == is_stopped_) Signal(child_, may_work ? SIGCONT : SIGSTOP, terms_.user);
+    is_stopped_ = !may_work;
+    if (now >= until_) return Fail(std::errc::timed_out, "rehearse the show");
+    if (terms_.wanted && !terms_.wanted()) return Fail(std::errc::operation_canceled, "rehearse the show");
+    return {};
+  }
+
+ private:
+  const Child& child_;
+  const TrialTerms& terms_;
+  Time asked_;
+  Time until_;
+  bool is_stopped_ = false;
+};
 
 // Listens until the child closes its end, the time is over, or nobody wants to know any more. Errors:
 // timed_out, operation_canceled.
-Result<std::string> Listen(const UniqueFd& says, const Patience& patience) {
+Result<std::string> Listen(const UniqueFd& says, Patience& patience) {
   std::string heard;
   std::array<char, 4096> piece{};
   while (true) {
-    if (auto ok = Wanted(patience); !ok) return tl::unexpected(ok.error());
+    if (auto ok = patience.Ask(); !ok) return tl::unexpected(ok.error());
     pollfd ready{.fd = says.get(), .events = POLLIN, .revents = 0};
     if (::poll(&ready, 1, kAsk_ms) <= 0) continue;
     const ssize_t got = ::read(says.get(), piece.data(), piece.size());
@@ -131,13 +148,13 @@ Result<std::string> Listen(const UniqueFd& says, const Patience& patience) {
   }
 }
 
-// The status of its end, waitpid(2)'s. A child that has closed its standard error may run on. Errors: as Wanted;
+// The status of its end, waitpid(2)'s. A child that has closed its standard error may run on. Errors: as Ask;
 // the child then runs on.
-Result<int> AwaitEnd(pid_t pid, const Patience& patience) {
+Result<int> AwaitEnd(pid_t pid, Patience& patience) {
   while (true) {
     int status = 0;
     if (::waitpid(pid, &status, WNOHANG) == pid) return status;
-    if (auto ok = Wanted(patience); !ok) return tl::unexpected(ok.error());
+    if (auto ok = patience.Ask(); !ok) return tl::unexpected(ok.error());
     ::poll(nullptr, 0, kAsk_ms);
   }
 }
@@ -175,7 +192,7 @@ Result<void> KeepRightsToOurselves() {
 Result<void> TryPack(const std::string& stage, const std::filesystem::path& pack, const TrialTerms& terms) {
   auto child = Spawn(stage, pack.string(), terms.user);
   if (!child) return tl::unexpected(child.error());
-  const Patience patience{SteadyClock().now() + terms.longest, terms.wanted};
+  Patience patience(*child, terms);
   const auto heard = Listen(child->says, patience);
   const auto status = heard ? AwaitEnd(child->pid, patience) : tl::unexpected(heard.error());
   if (!status) {

@@ -38,6 +38,8 @@ struct TrialTerms {
   Duration longest = kLongestTrial;
   // Asked ten times a second; null: always.
   std::function<bool()> wanted{};
+  // The same: whether it may go on now. Meanwhile it is stopped, and that time does not count.
+  std::function<bool()> may_work{};
   // Nobody: as this process.
   std::optional<TrialUser> user{};
 };

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "appliance/core/board/face_pace.h"
 #include "appliance/core/update/caller.h"
 #include "appliance/programs/update/looks.h"
 #include "appliance/programs/update/running.h"
@@ -45,6 +46,7 @@ constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk
   --picture FILE     what the stage shows (/run/kaori/look.ppm)
   --still FILE       a picture of the show's first face (/usr/share/kaori/still.ppm)
   --last-face FILE   the last face (/var/lib/kaori/own/last-face)
+  --board FILE       the board, by which an update rests where it costs the face pictures (/run/kaori/board)
   --install FILE     instead: brings this file in, says how it went, and ends
   --other FILE       instead: tries the disk's other system, once, for the reason in this file
 )";
@@ -56,7 +58,7 @@ struct Settings {
                       keys = "/usr/share/kaori/update-keys", slot = "/run/kaori-profile/slot",
                       said = "/run/kaori-update", picture = "/run/kaori/look.ppm",
                       still = "/usr/share/kaori/still.ppm", last_face = "/var/lib/kaori/own/last-face",
-                      install, other;
+                      board = "/run/kaori/board", install, other;
   bool confirm = false;
   kaori::loader::BoxDisk disk;
 };
@@ -100,7 +102,8 @@ kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running&
           .keys = [&settings] { return KeysOf(settings); },
           .open_disk = [&settings, running] { return OpenDisk(settings, running.slot); },
           .open_choice = [&settings, running] { return OpenBootChoice(settings.disk, running.slot); },
-          .restart = Restart};
+          .restart = Restart,
+          .may_work = kaori::board::PaceByBoardAt(settings.board)};
 }
 
 // What the status picture shows, in both languages; a file in memory.
@@ -258,6 +261,7 @@ int main(int argc, char** argv) {
       .Text("--picture", settings.picture)
       .Text("--still", settings.still)
       .Text("--last-face", settings.last_face)
+      .Text("--board", settings.board)
       .Text("--install", settings.install)
       .Text("--other", settings.other);
   if (const auto status = options.Parse(argc, argv)) return *status;

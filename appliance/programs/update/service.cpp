@@ -92,6 +92,7 @@ void UpdateService::Restart() {
 }
 
 void UpdateService::StepInstallation() {
+  if (box_.may_work && !box_.may_work()) return;
   Say(AnswerOf(installation_->Step()));
   if (!installation_->ended()) return;
   installation_.reset();

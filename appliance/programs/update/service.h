@@ -30,6 +30,8 @@ struct Box {
   std::function<Result<std::unique_ptr<ports::BootChoice>>()> open_choice;
   // Has the service manager restart the machine; returns before that has begun.
   std::function<void()> restart;
+  // Whether an update may be written on now, beside the face; null: always.
+  std::function<bool()> may_work{};
 };
 
 // One thread; the notes must outlive it.

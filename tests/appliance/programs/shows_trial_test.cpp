@@ -29,6 +29,26 @@ TEST(Trial, OfAProgramThatSaysNoMoreAndDoesNotEndIsCutOff) {
   fs::remove_all(folder);
 }
 
+// It is stopped for the first four of the questions, a tenth of a second apart, which would be longer than it may take.
+TEST(Trial, IsStoppedWhileTheFaceNeedsWhatItTakes) {
+  std::string name = (fs::temp_directory_path() / "kaori-stopped-XXXXXX").string();
+  const fs::path folder = ::mkdtemp(name.data()), done = folder / "done";
+  std::ofstream(folder / "works") << "#!/bin/sh\nfor i in 1 2 3; do echo >>\"$2\"; sleep 0.02; done\n";
+  fs::permissions(folder / "works", fs::perms::owner_all);
+  std::ofstream(done).close();
+  int asked = 0;
+  std::uintmax_t at_second = 0;
+  const auto may_work = [&] {
+    if (++asked == 2) at_second = fs::file_size(done);
+    if (asked == 4) EXPECT_EQ(fs::file_size(done), at_second) << "it went on while it was stopped";
+    return asked > 4;
+  };
+  EXPECT_TRUE(TryPack(folder / "works", done.string(), {.longest = 300ms, .may_work = may_work}));
+  EXPECT_EQ(fs::file_size(done), 3U);
+  EXPECT_LT(at_second, 3U);
+  fs::remove_all(folder);
+}
+
 // A shell tells the rights that it has, in place of the stage. The process that gives its own up is another
 // one.
 TEST(Trial, HasNoneOfTheRightsOfWhoStartsIt) {
