@@ -40,7 +40,9 @@ TEST(Trial, IsStoppedWhileTheFaceNeedsWhatItTakes) {
   std::uintmax_t at_second = 0;
   const auto may_work = [&] {
     if (++asked == 2) at_second = fs::file_size(done);
-    if (asked == 4) EXPECT_EQ(fs::file_size(done), at_second) << "it went on while it was stopped";
+    if (asked == 4) {
+      EXPECT_EQ(fs::file_size(done), at_second) << "it went on while it was stopped";
+    }
     return asked > 4;
   };
   EXPECT_TRUE(TryPack(folder / "works", done.string(), {.longest = 300ms, .may_work = may_work}));
