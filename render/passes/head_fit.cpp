@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 
 namespace kaori::passes {
@@ -37,6 +38,15 @@ Basis BasisAt(glm::vec3 p) {
           qq.y * q.y, qq.y * q.z, qq.z * q.x, qq.z * q.y, qq.z * q.z, q.x * q.y * q.z};
 }
 
+// Multiples of the golden ratio of the integers spread evenly, also over each row of a mesh that is numbered by rows
+// (Knuth, The Art of Computer Programming, volume 3, 6.4): those below a bound are taken, about kMostVertices of them.
+void Thin(std::vector<std::size_t>& scalp) {
+  constexpr std::uint32_t kGolden = 0x9E3779B9;
+  const std::uint64_t bound = (std::uint64_t{kMostVertices} << 32U) / scalp.size();
+  std::uint32_t at = 0;
+  std::erase_if(scalp, [&](std::size_t) { return (at += kGolden) >= bound; });
+}
+
 // In the parameter space u = 0.5 is the middle of the face, and v grows upwards.
 std::vector<std::size_t> ScalpOf(const face::Topology& topology) {
   std::vector<std::size_t> scalp;
@@ -44,9 +54,7 @@ std::vector<std::size_t> ScalpOf(const face::Topology& topology) {
     const glm::vec2 uv = topology.uv[i];
     if (uv.y > kBrows || (std::abs(uv.x - 0.5F) > kBehindEars && uv.y > kNape)) scalp.push_back(i);
   }
-  const std::size_t step = (scalp.size() + kMostVertices - 1) / kMostVertices;
-  for (std::size_t i = 0; i * step < scalp.size(); ++i) scalp[i] = scalp[i * step];
-  scalp.resize(step == 0 ? 0 : (scalp.size() + step - 1) / step);
+  if (scalp.size() > kMostVertices) Thin(scalp);
   return scalp;
 }
 

@@ -20,8 +20,9 @@ enum class Copied : std::uint8_t {
 
 // Copies the root's show, piece by piece, unless the copy that is there begins as it does (`there`, which may be empty): a
 // header holds the checksum of its content. Shows of sticks come first: the copy gives way where they need its room. At
-// each moment there is the old copy, the new one whole, or none. It rests while `may_work` says no; null: never. Blocks for both disks. Errors: those of the source and the
-// folder; those of show::ReadHeader; invalid_argument (what was read has another checksum).
+// each moment there is the old copy, the new one whole, or none. It rests while `may_work` says no; null: never.
+// Blocks for both disks. Errors: those of the source and the folder; those of
+// show::ReadHeader; invalid_argument (what was read has another checksum).
 Result<Copied> KeepCopy(Folder& folder, Source& root, std::span<const std::uint8_t> there,
                         const std::function<bool()>& may_work = {});
 

@@ -41,12 +41,15 @@ class DiskDraft final : public Draft {
   }
 
  private:
-  // The kernel would keep the piece in memory, which is the face's, and write all of them together at some later time.
+  // The kernel would keep the piece in memory, which is the face's, and write all of them together at some later time. A page
+  // that the next piece goes on with is not dropped: it would be read again.
   Result<void> WriteThrough(off_t at, off_t length) const {
     constexpr unsigned kAll =
         SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER;
     if (::sync_file_range(fd_.get(), at, length, kAll) < 0) return FailErrno("write " + name_);
-    ::posix_fadvise(fd_.get(), at, length, POSIX_FADV_DONTNEED);
+    constexpr off_t kPage_bytes = 4096;
+    const off_t begin = at / kPage_bytes * kPage_bytes, end = (at + length) / kPage_bytes * kPage_bytes;
+    if (end > begin) ::posix_fadvise(fd_.get(), begin, end - begin, POSIX_FADV_DONTNEED);
     return {};
   }
 

@@ -234,16 +234,17 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   const auto support = [&](const fs::path& stick) {
     return WriteSupport(settings, *folder, &*board, sticks, stick);
   };
-  // A show is copied and tried in one piece of work.
-  const auto may_work = kaori::board::PaceByBoardAt(settings.board);
-  const auto trial = TrialBy(settings, {.wanted = wanted, .may_work = may_work, .user = *user});
+  const auto trial = TrialBy(
+      settings, {.wanted = wanted, .may_work = kaori::board::PaceByBoardAt(settings.board), .user = *user});
   kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), trial);
   kaori::shows::BoxSettings box_settings({.data = fs::path(settings.shows).parent_path(),
                                           .screens = fs::path(settings.board).parent_path() / "screens"});
   auto desk = OpenDesk(settings);
   kaori::shows::InstallService service(
       {settings.root_keys, settings.keys, settings.report, plays, settings.update}, *folder, *board, look,
-      trial, {support, &copies, &box_settings, desk ? &*desk : nullptr, may_work});
+      trial,
+      {support, &copies, &box_settings, desk ? &*desk : nullptr,
+       kaori::board::PaceByBoardAt(settings.board)});
   running = &service;
   const auto step = [&] {
     if (!is_open()) return loop.Stop();

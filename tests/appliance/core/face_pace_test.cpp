@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <string>
+#include <thread>
 
 #include "appliance/core/board/board.h"
 
@@ -68,7 +70,7 @@ TEST(FacePace, GoesOnInAnyCase) {
 
 TEST(FacePace, WhereThereIsNoStageTheWorkGoesOn) {
   Face face{.frames_per_s = 0};
-  EXPECT_GE(face.Work(10min), 0.6);
+  EXPECT_GE(face.Work(10min), 0.8);
 }
 
 TEST(FacePace, BeginsWithARestToSeeHowFastTheFaceIs) {
@@ -92,19 +94,58 @@ TEST(FacePace, AStageThatStartsAnewAndWorkAfterALongWhileBeginAnew) {
   face.drawn = 0;
   EXPECT_FALSE(face.Ask()) << "the stage counts from the beginning";
   face.Work(1min);
+  while (face.Ask()) face.Work(50ms);
   face.now += FacePace::kForgets + 1s;
-  EXPECT_FALSE(face.Ask()) << "the next piece of work";
+  EXPECT_FALSE(face.Ask()) << "the rest that was on is over, but this is the next piece of work";
+  EXPECT_EQ(face.Work(FacePace::kShortestTurn - 50ms), 0);
 }
 
-// The frames are those that the stage has written.
-TEST(FacePace, ByABoardAsksWhatTheStageWrites) {
-  EXPECT_TRUE(PaceByBoardAt("/nowhere/board")()) << "there is no board";
-  std::string name = (std::filesystem::temp_directory_path() / "kaori-pace-XXXXXX").string();
-  const std::filesystem::path folder = ::mkdtemp(name.data());
-  const auto board = Board::Create(folder / "board");
+// A show is copied for next to nothing, and then tried.
+TEST(FacePace, WorkThatBecomesDearerIsNoticedWithinAFewTurns) {
+  Face face{.frames_per_s = 25, .while_working = 0.99};
+  face.Work(3min);
+  face.while_working = 0.7;
+  face.Work(1min);
+  const double before = face.drawn;
+  face.Work(3min);
+  EXPECT_GE((face.drawn - before) / (25 * 180), 0.95);
+}
+
+class FacePaceByBoard : public ::testing::Test {
+ protected:
+  FacePaceByBoard() {
+    std::string name = (std::filesystem::temp_directory_path() / "kaori-pace-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~FacePaceByBoard() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+};
+
+TEST_F(FacePaceByBoard, WithoutABoardOrAStageNobodyIsRestedFor) {
+  const auto may_work = PaceByBoardAt(folder_ / "board");
+  EXPECT_TRUE(may_work()) << "there is no board";
+  const auto board = Board::Create(folder_ / "board");
   ASSERT_TRUE(board);
-  EXPECT_FALSE(PaceByBoardAt(folder / "board")()) << "it begins with a rest";
-  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(may_work()) << "no stage has written it";
+}
+
+// Eight frames in a second end the first rest, and nothing else does so soon.
+TEST_F(FacePaceByBoard, CountsTheFramesThatTheStageWrites) {
+  const auto board = Board::Create(folder_ / "board");
+  ASSERT_TRUE(board);
+  auto stage = board->AcquireWriter<StageStatus>();
+  ASSERT_TRUE(stage);
+  const SteadyClock clock;
+  const auto may_work = PaceByBoardAt(folder_ / "board"), copy = may_work;
+  const auto write = [&](std::uint32_t frames) {
+    stage->Write({.frames = frames}, clock.now(), SourceState::kLive);
+  };
+  write(100);
+  EXPECT_FALSE(may_work()) << "it begins with a rest";
+  std::this_thread::sleep_for(FacePace::kShortestTurn);
+  EXPECT_FALSE(copy()) << "no frame has come";
+  write(100 + FacePace::kTurnFrames);
+  EXPECT_TRUE(copy());
 }
 
 }  // namespace

@@ -62,6 +62,16 @@ TEST_F(CopyTest, IsNotMadeWhileAShowComesFromAStick) {
   EXPECT_THAT(folder_.Names().value(), ::testing::ElementsAre(store::kIncomingName));
 }
 
+TEST_F(CopyTest, RestsWhileTheFaceNeedsTheBoxAndGivesWayThenToo) {
+  SimulatedSource source(root_), again(root_);
+  int asked = 0;
+  EXPECT_EQ(KeepCopy(folder_, source, {}, [&] { return ++asked > 2; }), Copied::kMade);
+  EXPECT_GT(asked, 2);
+  SimulatedFolder other;
+  const auto comes = [&] { return (*other.Begin(store::kIncomingName))->Append(first_), false; };
+  EXPECT_EQ(KeepCopy(other, again, {}, comes), Copied::kGaveWay);
+}
+
 TEST_F(CopyTest, ThatIsBeingMadeLeavesItsRoomToAShowOfAStick) {
   folder_.capacity_bytes = root_.size() + Installation::kReserve_bytes + 5000;
   ASSERT_TRUE((*folder_.Begin(store::kUnfinishedCopyName))->Append(root_));

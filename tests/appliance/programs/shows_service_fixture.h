@@ -70,7 +70,7 @@ class ServiceTest : public tests::PackTest {
 
   const show::SecretKey company_ = show::MakeKey().value(), theatre_ = show::MakeKey().value();
   const Offers offers_;
-  bool plugged_ = false, unreadable_ = false, writable_ = false;
+  bool plugged_ = false, unreadable_ = false, writable_ = false, may_work_ = true;
   int opened_ = 0;
   Result<void> closed_{};  // Of a stick that is to be written.
   Result<void> trial_{};
@@ -108,7 +108,8 @@ class ServiceTest : public tests::PackTest {
       {.support = [this](const std::filesystem::path&) { return support_; },
        .copies = offers_ == Offers::kCopies || offers_ == Offers::kAll ? &copies_ : nullptr,
        .settings = offers_ == Offers::kSettings || offers_ == Offers::kAll ? &settings_ : nullptr,
-       .desk = offers_ == Offers::kShows ? nullptr : &desk_}};
+       .desk = offers_ == Offers::kShows ? nullptr : &desk_,
+       .may_work = [this] { return may_work_; }}};
 };
 
 }  // namespace kaori::shows

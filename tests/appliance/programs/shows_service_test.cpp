@@ -50,6 +50,17 @@ TEST_F(ServiceTest, WhoeverPressesAgainWhileItIsCopiedTakesNothingMore) {
   EXPECT_EQ(store::ReadChoice(folder_ / "shows").generation, 1U);
 }
 
+TEST_F(ServiceTest, AShowIsCopiedNoFurtherWhileTheFaceNeedsTheBox) {
+  PutOnStick("evening", &company_);
+  plugged_ = true;
+  Play(1s);
+  may_work_ = false;
+  Strike(board::key::k1);
+  EXPECT_THAT(Play(1min), HasSubstr("evening: it is being copied"));
+  may_work_ = true;
+  EXPECT_THAT(Play(2s), HasSubstr("evening: it is on the box; the face changes to it"));
+}
+
 TEST_F(ServiceTest, HalfACopyGoesWithTheProgram) {
   std::ofstream(folder_ / "shows" / "incoming") << "of the day before";
   InstallService again{{folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report"},

@@ -26,7 +26,8 @@ class UpdateServiceTest : public UpdateTest {
                   .open_choice = [this]() -> Result<std::unique_ptr<ports::BootChoice>> {
                     return std::make_unique<Lent>(choice_);
                   },
-                  .restart = [this] { ++restarts_; }},
+                  .restart = [this] { ++restarts_; },
+                  .may_work = [this] { return may_work_; }},
                  notes_) {}
 
   UniqueFd File(const Bytes& content) {
@@ -75,6 +76,7 @@ class UpdateServiceTest : public UpdateTest {
   std::string socket_ = folder_.path() + "/socket";
   sim::BootLoader choice_;
   int restarts_ = 0;
+  bool may_work_ = true;
   UpdateService service_;
 };
 
@@ -108,6 +110,17 @@ TEST_F(UpdateServiceTest, GivesAnUpdateUpWhenWhoeverAskedIsGone) {
   for (int n = 0; n < 1000; ++n) Step();
   EXPECT_EQ(notes_.pending, std::nullopt);
   EXPECT_EQ(Ask(kInstall, BundleOf(6)).message, Message::kWaits) << "it can be taken again";
+}
+
+TEST_F(UpdateServiceTest, WritesNothingWhileTheFaceNeedsTheBox) {
+  may_work_ = false;
+  const UniqueFd file = File(BundleOf(6));
+  auto caller = Caller::Ask(socket_, kInstall, file.get());
+  for (int n = 0; n < 1000; ++n) Step();
+  EXPECT_TRUE(disk_.events().empty());
+  may_work_ = true;
+  for (int n = 0; n < 1000; ++n) Step();
+  EXPECT_TRUE(notes_.pending.has_value());
 }
 
 TEST_F(UpdateServiceTest, IsIdleWhenNobodyHasAskedForAWhile) {
