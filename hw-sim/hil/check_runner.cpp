@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "hw-sim/hil/paused_unit.h"
+#include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
@@ -26,8 +27,16 @@ constexpr const char* kInputUnit = "kaori-input.service";
 // In a control nothing is expected to come, so waiting long would only cost time.
 constexpr Duration kControlPatience = std::chrono::seconds(20);
 
+// A fade on a machine whose processor draws, and the frame after it.
+constexpr Duration kLongestLeaving = std::chrono::seconds(60);
+
 // Enough for the box to notice that a device is gone.
 constexpr Duration kNoticesLoss = std::chrono::seconds(2);
+
+// Whether checks that come later find its box as it leaves it: those of the usual setup come one after another.
+bool IsShared(const Check& check) {
+  return !check.powers && check.setup == Setup{};
+}
 
 // Either is undone by its destructor.
 using Withdrawn = std::variant<std::monostate, PausedUnit, UnpluggedDevice>;
@@ -56,6 +65,7 @@ ReportedCheck CheckRunner::Run(const Check& check) {
   }
   if (ok) ok = check.run(scene);
   if (ok && options_.controls && finding.verdict == Verdict::kPassed) ok = Control(check, finding);
+  if (ok && finding.verdict == Verdict::kPassed && IsShared(check)) ok = LeavesAFace();
   finding.took_s = Seconds(target_.clock().now() - began);
   if (ok) return reported;
   finding.verdict = Verdict::kFailed;
@@ -83,6 +93,17 @@ Result<void> CheckRunner::Prepare(const Check& check) {
   if (!check.powers) return StartBox(check.setup);
   strategy_.Off();
   return {};
+}
+
+// Else the next check that looks at the screen would fail, for a dial that this one left turned.
+Result<void> CheckRunner::LeavesAFace() {
+  const std::string shot = options_.report + "/left.png";
+  const auto face = [&] {
+    const auto picture = target_.machine().Shoot(0, shot).and_then([&] { return LookAt(shot); });
+    return picture && ShowsAFace(*picture);
+  };
+  const auto seen = target_.Await(face, kLongestLeaving, "see a face afterwards");
+  return seen ? seen : FailInput("it passed, but leaves the next check a screen without a face");
 }
 
 // A check that passes although what it looks for was taken away finds nothing: it fails then.

@@ -55,6 +55,8 @@ class CheckRunner {
   Result<void> Control(const Check& check, Finding& finding);
   // Fails where the check passes although what it needs was withdrawn.
   Result<void> FailsWithout(const Check& check, Scene& scene);
+  // Errors: invalid_argument, the box that the check leaves shows no face.
+  Result<void> LeavesAFace();
   // What a check works with, for this finding.
   Scene SceneOf(Finding& finding);
   // Adds the last picture and the logs to the finding; what cannot be had is left out.

@@ -88,8 +88,8 @@ Result<void> WakeDials(Scene& scene, sim::SerialDialBox& box) {
   return {};
 }
 
-// Half a turn and a whole one, both ways, and the last but one button. The box without buttons and lamps, the DLS80, is
-// turned alone.
+// Half a turn and a whole one, both ways and back, since the last dial is the light's; and the last but one button. The box
+// without buttons and lamps, the DLS80, is turned alone.
 Result<void> TurnAndPush(Scene& scene, sim::SerialDialBox& box, Kind kind) {
   const auto before = scene.SettledBoard();
   if (!before) return tl::unexpected(before.error());
@@ -109,7 +109,10 @@ Result<void> TurnAndPush(Scene& scene, sim::SerialDialBox& box, Kind kind) {
   };
   if (has_buttons && !scene.target.Await(lit, kLongestDial, "see the lamps"))
     return FailInput("the lamps of the box are not those of the board");
-  return {};
+  box.Turn(0, -128);
+  box.Turn(7, 256);
+  const auto back = [&](const BoardView& now) { return now.counts == before->counts; };
+  return WantBoard(scene, back, "what was turned back").map([](const BoardView&) {});
 }
 
 // The adapter is pulled: the box says so once, and goes on when it is back; nothing jumps.
