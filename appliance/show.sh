@@ -69,7 +69,7 @@ pack_show() {
 
 # Names of files are the caller's, who may stand elsewhere.
 take_of_show() {
-  [[ $# -ge 1 ]] || fail "show take wants record, trim, stretch, gain, ease, loop, layer, punch or list; see kaori-atelier take --help"
+  [[ $# -ge 1 ]] || fail "show take wants record, trim, stretch, gain, ease, loop, put, layer, punch or list; see kaori-atelier take --help"
   need "${BUILD_PACKAGES[@]}"
   build release kaori-atelier
   local tool=$PWD/$BIN/kaori-atelier

@@ -69,7 +69,7 @@ other calls by their names: dimmed, and bright with a frame while it is on.
 
 INTO is a pack's file, which ends in .kaori and may be FILE itself: it gets the show with these pictures, and without a
 signature, so that a box which plays it shows them, wherever the show came from. Or INTO is a folder, which is made if need
-be: ./box image writes those of its own show into appliance/shows/kaori/surfaces/stream-deck of the image.
+be: ./box image writes those of its own show into /usr/share/kaori/surfaces/stream-deck of the image.
 )",
           .run = RunKeys};
 }
