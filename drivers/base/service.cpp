@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 
@@ -88,6 +89,15 @@ Result<void> AwaitManager() {
   return {};
 }
 
+// What a manager that watches was told last; 0 before the first beat. There is one manager, and one watchdog.
+std::atomic<Duration> g_told{};
+
+Result<void> TellLimit(Duration limit) {
+  g_told = limit;
+  return Tell(fmt::format("WATCHDOG_USEC={}\nWATCHDOG=1",
+                          std::chrono::duration_cast<std::chrono::microseconds>(limit).count()));
+}
+
 }  // namespace
 
 Result<void> Tell(std::string_view assignments) {
@@ -120,6 +130,7 @@ std::optional<UniqueFd> RetrieveFd(std::string_view name) {
 
 std::optional<Watchdog> Watchdog::Wanted() {
   const auto longest_us = ParseNumber<std::int64_t>(Variable("WATCHDOG_USEC"));
+  g_told = Duration();
   if (!longest_us || *longest_us <= 0 || !IsForUs("WATCHDOG_PID")) return std::nullopt;
   return Watchdog(std::chrono::microseconds(*longest_us));
 }
@@ -130,10 +141,15 @@ Result<void> Watchdog::Beat(Duration turn) {
                          : std::clamp(turn * kPatientTurns, std::min(kShortestSilence, longest_), longest_);
   // Small changes are not worth a message: only a longer limit, or one that is shorter by a quarter, is
   // sent. A longer one goes out at once, since the old one would kill a machine that became slow.
-  if (wanted <= limit_ && wanted * 4 > limit_ * 3) return Tell("WATCHDOG=1");
+  const Duration told = g_told.exchange(limit_);
+  if (told <= limit_ && wanted <= limit_ && wanted * 4 > limit_ * 3) return Tell("WATCHDOG=1");
   limit_ = wanted;
-  return Tell(fmt::format("WATCHDOG_USEC={}\nWATCHDOG=1",
-                          std::chrono::duration_cast<std::chrono::microseconds>(limit_).count()));
+  return TellLimit(limit_);
+}
+
+Result<void> AllowSilence(Duration longest) {
+  const Duration told = g_told.load();
+  return told == Duration() || longest <= told ? Result<void>() : TellLimit(longest);
 }
 
 }  // namespace kaori::service

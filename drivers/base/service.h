@@ -60,4 +60,8 @@ class Watchdog {
   Duration limit_;
 };
 
+// For a call that is known to take long, in a program whose watchdog has had its first beat: until the next one the manager
+// waits for `longest` at least. Does nothing where it waits for longer, or does not watch. Errors: those of Tell. Any thread.
+Result<void> AllowSilence(Duration longest);
+
 }  // namespace kaori::service

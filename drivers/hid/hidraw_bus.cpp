@@ -8,7 +8,9 @@
 #include <optional>
 #include <string_view>
 
+#include "drivers/base/log.h"
 #include "drivers/base/open_cause.h"
+#include "drivers/base/service.h"
 #include "drivers/decode/recognise.h"
 #include "drivers/hid/hidraw_channel.h"
 
@@ -161,12 +163,17 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
   return channel;
 }
 
+// More than the kernel waits for an answer on USB (hid-core's time-out of 5 s).
+constexpr Duration kLongestSilence = std::chrono::seconds(12);
+
 // A device that does not answer blocks the loop for 5 s: no other one of its kind is asked again.
 void HidrawBus::RequestInitialReports(HidrawChannel& channel) {
   const ports::HidIdentity& identity = channel.identity();
   const auto layout = decode::LayoutOf(identity);
   const std::pair kind(identity.vendor, identity.product);
   if (!layout || silent_kinds_.contains(kind)) return;
+  // A device that is plugged in and does not answer must not look like a program that hangs.
+  if (auto told = service::AllowSilence(kLongestSilence); !told) LogWarning("{}", told.error().message());
   const auto asked = channel.RequestInitialReports(decode::InitialReportsOf(*layout));
   if (!asked && asked.error().cause == std::errc::timed_out) silent_kinds_.insert(kind);
 }

@@ -203,6 +203,22 @@ TEST_F(WatchedService, ALoopThatOnlyWaitsIsGivenUpOnAfterThirtyOfItsBeats) {
   EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=1500000\nWATCHDOG=1");
 }
 
+TEST_F(WatchedService, ACallThatTakesLongIsNotTakenForAHang) {
+  using std::chrono::milliseconds, std::chrono::seconds;
+  auto watchdog = Watchdog::Wanted();
+  ASSERT_TRUE(watchdog);
+  ASSERT_TRUE(AllowSilence(seconds(5))) << "before the first beat the longest silence is allowed anyway";
+  ASSERT_TRUE(watchdog->Beat(milliseconds(20)));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=600000\nWATCHDOG=1");
+  ASSERT_TRUE(AllowSilence(milliseconds(300))) << "shorter than what is allowed";
+  ASSERT_TRUE(AllowSilence(seconds(5)));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=5000000\nWATCHDOG=1");
+  ASSERT_TRUE(watchdog->Beat(milliseconds(20)));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=600000\nWATCHDOG=1");
+  ASSERT_TRUE(watchdog->Beat(milliseconds(20)));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG=1");
+}
+
 TEST_F(Service, ALoopThatNobodyWatchesBeatsForNobody) {
   auto loop = EventLoop::Open();
   ASSERT_TRUE(loop);

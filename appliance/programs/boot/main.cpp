@@ -66,8 +66,7 @@ constexpr pid_t kFirstProcess = 1;
 constexpr int kMisused = 2;
 constexpr int kLongestMount_ms = 1000;         // A disk that takes longer is not waited for, and
 constexpr int kLongestSplash_ms = 2500;        // neither is a card.
-constexpr unsigned kCheckPeriod_us = 200'000;  // How often the splash asks whether it is still shown,
-constexpr int kMostChecks = 5 * 60 * 5;        // and how often at most: for five minutes.
+constexpr unsigned kCheckPeriod_us = 200'000;  // How often the splash asks whether it is still shown.
 
 // Maps a whole file, or as much of its beginning, for as long as the program lives: the splash waits for no copy.
 std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX) {
@@ -81,9 +80,9 @@ std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX)
   return {static_cast<const std::uint8_t*>(at), bytes};
 }
 
-// Returns once the stage shows its own pictures: before, the screens would go dark with this program.
+// Returns once the stage shows its own pictures, however late: before, the screens would go dark with this program.
 void AwaitStage(const kaori::boot::Card& card, const std::vector<kaori::boot::Splash>& shown) {
-  for (int checks = 0; checks < kMostChecks && card.IsShown(shown); ++checks) ::usleep(kCheckPeriod_us);
+  while (card.IsShown(shown)) ::usleep(kCheckPeriod_us);
 }
 
 // The last face is shown only where the stage will resume it: not without the disk on which its state lies,

@@ -121,10 +121,22 @@ void RestartKeepers() {
       kaori::LogWarning("{}", status.error().message());
 }
 
+// By the kernel's list, in which a device stands at the beginning of its line.
+bool IsMounted(const std::string& device) {
+  const std::string mounts = "\n" + kaori::ReadFile("/proc/self/mounts").value_or("");
+  return mounts.find("\n" + device + " ") != std::string::npos;
+}
+
 // The file is removed last, and says until then that the mending is not done.
 Result<void> MendWhatIsNamedIn(const Settings& settings, const std::string& file) {
   const auto device = kaori::ReadFile(file);
   if (!device) return tl::unexpected(device.error());
+  // systemd's own try came later than that of the first program, and succeeded.
+  if (IsMounted(*device)) {
+    kaori::Log("{} is mounted: there is nothing to mend", *device);
+    std::filesystem::remove(file);
+    return {};
+  }
   kaori::Log("the service key is on: {} is mended", *device);
   if (auto made = kaori::data::MakeFolders(kFolders); !made) return made;
   const auto mended = kaori::data::Mend({.device = *device, .folders = kFolders, .run = kaori::RunProgram});

@@ -2,6 +2,7 @@
 
 #include <sstream>
 #include <string_view>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -31,14 +32,20 @@ Result<void> RunWell(const Partition& partition, const std::vector<std::string>&
   return FailedWith(*status, partition, words[0]);
 }
 
-// Whether the file system is whole, or was mended; false where it is beyond mending. Errors: those of a check
-// that came to no end, which says nothing of what is kept.
+// Whether the file system is whole, or was mended; false where it is beyond mending. A second check often ends what a first
+// one left, and its 8 is also that of a device which is busy, or could not be read for once. Errors: those of a check that
+// came to no end, which says nothing of what is kept.
 Result<bool> Save(const Partition& partition) {
-  const auto status = partition.run({kCheck, "-f", "-y", partition.device});
-  if (!status) return tl::unexpected(status.error());
-  if (*status >= 0 && *status <= kMostMended) return true;
-  if (*status > 0 && *status <= (kMostMended | kErrorsLeft | kNoFileSystem)) return false;
-  return FailedWith(*status, partition, kCheck);
+  constexpr int kChecks = 3;
+  for (int checks = 0; checks < kChecks; ++checks) {
+    if (checks > 0) std::this_thread::sleep_for(partition.pause);
+    const auto status = partition.run({kCheck, "-f", "-y", partition.device});
+    if (!status) return tl::unexpected(status.error());
+    if (*status >= 0 && *status <= kMostMended) return true;
+    if (*status < 0 || *status > (kMostMended | kErrorsLeft | kNoFileSystem))
+      return FailedWith(*status, partition, kCheck);
+  }
+  return false;
 }
 
 // A unit that failed when the box started is not started again before it is reset.

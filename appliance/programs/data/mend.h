@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 
 namespace kaori::data {
@@ -14,6 +15,8 @@ struct Partition {
   std::string device;   // "/dev/vda5".
   std::string folders;  // What a new file system has in it, with owners and modes (folders.h).
   std::string unit = "var-lib-kaori.mount";  // systemd's, which mounts it for all programs.
+  // Between two checks of a file system that was not mended by the first.
+  Duration pause = std::chrono::seconds(2);
   // Runs a program to its end and gives its exit status (drivers/base/run_program.h).
   std::function<Result<int>(const std::vector<std::string>&)> run;
 };

@@ -151,12 +151,12 @@ Result<OwnCertificate> LoadOrMakeCertificate(const std::filesystem::path& folder
   if (const auto own = Read(stored.value_or(""), now_s)) return *own;
   const auto made = Make(options);
   if (!made) return tl::unexpected(made.error());
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
+  std::error_code none;
+  std::filesystem::create_directories(folder, none);
   if (auto written = WriteWholeFile(file, {AsBytes(*made)}, 0600); !written)
-    return tl::unexpected(written.error());
-  Log("a new certificate was made: {}", file.string());
+    LogWarning("{}; the next start makes another certificate", written.error().message());
+  else
+    Log("a new certificate was made: {}", file.string());
   const auto own = Read(*made, now_s);
   if (!own) return Fail(std::errc::not_supported, "read the new certificate");
   return *own;

@@ -273,6 +273,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   kaori::stage::StageMonitor monitor(*board, clock, **studio, status, [] { return std::time(nullptr); });
   const auto played =
       PlayOn(stage, *board, {status, monitor}, {*places, loaded.generation, clock.now()}, clock, loop);
+  // What is kept now goes to a disk that may be slow, and nothing beats any more.
+  static_cast<void>(kaori::service::AllowSilence(std::chrono::seconds(10)));
   if (const auto* roles = stage.taught()) stage.HandOver(*roles);
   if (last_face) last_face->KeepNow();
   if (log) log->Finish();

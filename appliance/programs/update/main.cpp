@@ -3,6 +3,7 @@
 //
 // It alone may write the slots and loader.conf. It mounts nothing: an update comes as an open file over its socket.
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -187,8 +188,17 @@ int Confirm(const Settings& settings, const kaori::update::Running& running) {
   return found.message == Message::kLooking ? LookOn(settings, **choice, *notes, found.version) : 0;
 }
 
+// A disk that is lost for a moment gives every show the same error: the stage tries again and takes its file away when it
+// has read one. Returns once the file has been there for so long.
+void AwaitLastingFault(const std::string& file) {
+  constexpr int kLasts_s = 10;
+  std::error_code none;
+  for (int there_s = 0; there_s < kLasts_s; ::sleep(1)) there_s = fs::exists(file, none) ? there_s + 1 : 0;
+}
+
 // The stage can read no show; the last picture stands meanwhile.
 int TryOtherSystem(const Settings& settings, const kaori::update::Running& running) {
+  AwaitLastingFault(settings.other);
   const auto notes = kaori::update::OpenNotes(settings.notes);
   auto choice = OpenBootChoice(settings.disk, running.slot);
   if (!choice) return kaori::ExitWithError(choice.error());

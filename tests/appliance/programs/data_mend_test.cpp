@@ -43,6 +43,7 @@ class DataPartition : public ::testing::Test {
   Partition AsPartition() {
     return {.device = file(),
             .folders = (folder_ / "empty").string(),
+            .pause = {},
             .run = [this](const auto& words) -> Result<int> {
               asked_.push_back(words[0] + " " + words[1]);
               if (words[0] != "/bin/systemctl") return RunProgram(words);
@@ -116,6 +117,19 @@ TEST_F(DataPartition, IsLeftAloneWhereTheCheckCameToNoEnd) {
   }
 }
 
+// e2fsck's 4 says that errors are left, and its 8 also that the device is busy, or could not be read.
+TEST_F(DataPartition, IsCheckedAgainBeforeAnythingIsLost) {
+  for (const int status : {4, 8, 12}) {
+    Partition busy = AsPartition();
+    int checks = 0;
+    busy.run = [&, run = busy.run](const std::vector<std::string>& words) -> Result<int> {
+      return words[0] == "/sbin/e2fsck" && ++checks < 3 ? status : run(words);
+    };
+    EXPECT_EQ(Mend(busy), Mended::kWhole) << status;
+    EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n") << status;
+  }
+}
+
 TEST_F(DataPartition, IsLeftAloneWhereItIsWholeAndNotMounted) {
   Partition refused = AsPartition();
   refused.run = [run = refused.run](const std::vector<std::string>& words) -> Result<int> {
@@ -127,7 +141,7 @@ TEST_F(DataPartition, IsLeftAloneWhereItIsWholeAndNotMounted) {
 
 // A cut between any two programs leaves a partition that the next try mends.
 TEST_F(DataPartition, IsMendedByTheNextTryWherePowerWasCut) {
-  for (std::size_t last = 1; last <= 5; ++last) {
+  for (std::size_t last = 1; last <= 7; ++last) {
     Ruin(0, 60 * kMiB);
     Partition cut = AsPartition();
     std::size_t count = 0;

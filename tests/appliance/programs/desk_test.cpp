@@ -196,6 +196,14 @@ TEST_F(DeskCertificate, IsMadeOnceAndReadableByItsOwnerAlone) {
   EXPECT_EQ(again->pem.key, made->pem.key);
 }
 
+// A box without a data partition has its desk all the same.
+TEST_F(DeskCertificate, IsUsedWhereItCannotBeKept) {
+  std::ofstream(folder_.folder() / "data") << "a file where the folder is to be";
+  const auto made = Kept();
+  ASSERT_TRUE(made) << made.error().message();
+  EXPECT_THAT(made->pem.key, HasSubstr("PRIVATE KEY"));
+}
+
 TEST_F(DeskCertificate, IsMadeAgainWhenItEndsOrIsDamaged) {
   const auto first = Kept().value();
   EXPECT_EQ(Kept(kNow_s + 700LL * 86'400)->fingerprint, first.fingerprint);
