@@ -4,11 +4,10 @@
 // that write the last face, the journal of the needles, the list of screens, the show log, and what is taught;
 // the frame path waits for none of them.
 //
-// The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for,
-// and watches the loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at
-// any moment is started anew and goes on from the state on the board, while the fd keeper keeps the last
-// picture on the screen. It ends with status 1 where the show, the board, GL or the card cannot be had, and
-// with 2 where it is misused; a screen that is missing never ends it.
+// The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for, and watches the
+// loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at any moment is started anew and goes on
+// from the state on the board, while the fd keeper keeps the last picture on the screen. It ends with status 1 where the show, the
+// board, GL or the card cannot be had, and with 2 where it is misused; a screen that is missing never ends it.
 #include <ctime>
 #include <future>
 #include <optional>
