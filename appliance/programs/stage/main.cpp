@@ -1,8 +1,7 @@
 // kaori-stage: draws the face that the board describes.
 //
-// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and five
-// that write the last face, the journal of the needles, the list of screens, the show log, and what is taught;
-// the frame path waits for none of them.
+// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and five that write the last face,
+// the journal of the needles, the list of screens, the show log, and what is taught; the frame path waits for none of them.
 //
 // The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for, and watches the
 // loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at any moment is started anew and goes on
