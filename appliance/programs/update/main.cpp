@@ -188,12 +188,11 @@ int Confirm(const Settings& settings, const kaori::update::Running& running) {
   return found.message == Message::kLooking ? LookOn(settings, **choice, *notes, found.version) : 0;
 }
 
-// A disk that is lost for a moment gives every show the same error: the stage tries again and takes its file away when it
-// has read one. Returns once the file has been there for so long.
+// The stage takes the file away when it has read a show after all.
 void AwaitLastingFault(const std::string& file) {
-  constexpr int kLasts_s = 10;
+  kaori::update::LastingFault fault;
   std::error_code none;
-  for (int there_s = 0; there_s < kLasts_s; ::sleep(1)) there_s = fs::exists(file, none) ? there_s + 1 : 0;
+  while (!fault.Lasts(fs::exists(file, none), kaori::SteadyClock().now())) ::sleep(1);
 }
 
 // The stage can read no show; the last picture stands meanwhile.

@@ -51,6 +51,12 @@ Outcome TryOther(ports::BootChoice& choice, Notes& notes) {
 }
 
 // A slot that is the default is confirmed, whatever its note says.
+bool LastingFault::Lasts(bool is_there, Time now) {
+  if (!is_there) since_.reset();
+  if (is_there && !since_) since_ = now;
+  return since_ && now - *since_ >= kLasts;
+}
+
 Outcome AfterStart(ports::BootChoice& choice, Notes& notes) {
   const auto pending = notes.ReadPending();
   if (!pending) return {Message::kNothingWaits};

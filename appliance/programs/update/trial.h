@@ -33,6 +33,19 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes);
 // is seen. What is answered is as of BeginTry; kTriedOften where it was tried before, by whomever.
 Outcome TryOther(ports::BootChoice& choice, Notes& notes);
 
+// Tells a fault that lasts from one that comes and goes: a disk that is lost for a moment gives every show the same error, and
+// the stage reads one at its next try. Pure; one thread.
+class LastingFault {
+ public:
+  static constexpr Duration kLasts = std::chrono::seconds(10);
+
+  // Whether it has been there for kLasts on end. To be asked several times in that span.
+  bool Lasts(bool is_there, Time now);
+
+ private:
+  std::optional<Time> since_;
+};
+
 // What a start finds, before anything is looked at:
 //   kLooking   this system is being tried
 //   kWaits     an update waits that was not tried yet

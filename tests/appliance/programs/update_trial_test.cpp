@@ -127,6 +127,16 @@ TEST_F(UpdateTrial, OfTheOtherSystemIsNotMadeOnAPcThatForgets) {
 }
 
 // Between loader.conf and the note.
+TEST(LastingFaultTest, IsNotOneThatComesAndGoes) {
+  const Time began = Time{} + seconds(1000);
+  LastingFault fault;
+  for (int s = 0; s < 60; ++s) EXPECT_FALSE(fault.Lasts(s % 9 != 0, began + seconds(s))) << s;
+  EXPECT_FALSE(fault.Lasts(false, began + seconds(60)));
+  EXPECT_FALSE(fault.Lasts(true, began + seconds(61)));
+  EXPECT_FALSE(fault.Lasts(true, began + seconds(70)));
+  EXPECT_TRUE(fault.Lasts(true, began + seconds(71)));
+}
+
 TEST_F(UpdateTrial, WhoseNoteOutlivesItsConfirmationIsOver) {
   BeginTry(choice_, notes_);
   choice_.SwitchOn();
