@@ -30,5 +30,23 @@ class Restarts(unittest.TestCase):
             self.assertFalse(starts_again_at_once(f"[Service]\nRestart=always\nRestartSec={pause}\n"))
 
 
+class Waiting(unittest.TestCase):
+    """systemd starts what is ordered after a unit when that has started, or its job is given up, and no sooner."""
+
+    def test_nobody_waits_long_for_a_stage_that_hangs_in_its_start(self):
+        waits = [unit.name for unit in UNITS.glob("*.service") if re.search(r"^After=.*kaori-stage", unit.read_text(), re.M)]
+        self.assertIn("kaori-input.service", waits)
+        given_up = re.search(r"^JobRunningTimeoutSec=(\d+)s$", (UNITS / "kaori-stage.service").read_text(), re.M)
+        self.assertIsNotNone(given_up)
+        self.assertLessEqual(int(given_up[1]), 30)
+
+    def test_a_path_unit_does_not_start_what_fails_without_end(self):
+        for path in UNITS.glob("*.path"):
+            text = (UNITS / f"{path.stem}.service").read_text()
+            ends = "RemainAfterExit=yes" in text and "ExecStart=-" in text and not re.search(r"^(Requires|BindsTo|RequiresMountsFor)=", text, re.M)
+            restarts = re.search(r"^Restart=", text, re.M) is not None
+            self.assertTrue(ends or restarts, f"{path.name} starts {path.stem}.service again as long as its file is there")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -50,13 +50,13 @@ Outcome TryOther(ports::BootChoice& choice, Notes& notes) {
   return begun;
 }
 
-// A slot that is the default is confirmed, whatever its note says.
 bool LastingFault::Lasts(bool is_there, Time now) {
   if (!is_there) since_.reset();
   if (is_there && !since_) since_ = now;
   return since_ && now - *since_ >= kLasts;
 }
 
+// A slot that is the default is confirmed, whatever its note says.
 Outcome AfterStart(ports::BootChoice& choice, Notes& notes) {
   const auto pending = notes.ReadPending();
   if (!pending) return {Message::kNothingWaits};
