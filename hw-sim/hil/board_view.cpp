@@ -9,10 +9,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A section is live while its writer is there and its device delivers.
-// The word is one of the names that the agent has for board::SourceState.
+// A section is live while its writer is there and its device delivers. A program that ended leaves the word for which its last
+// value stood, so the section must be held as well. The word is one of the names that the agent has for board::SourceState.
 bool Live(const Json& section) {
-  return section.at("source") == "live";
+  return section.at("source") == "live" && section.at("held") == true;
 }
 
 // A stick's section; "left" and "right" have the same fields.
@@ -48,10 +48,11 @@ void ParseInput(const Json& board, BoardView& view) {
   view.pointer_live = Live(board.at("pointer"));
   view.pointer_x = board.at("pointer").at("x");
   view.pointer_y = board.at("pointer").at("y");
-  view.input_at_ns = surface.at("at_ns");
+  view.input_at_ns = view.newest_input_ns = surface.at("at_ns");
   for (const char* section : {"left", "right", "keys", "pointer"}) {
     const std::int64_t at_ns = board.at(section).at("at_ns");
     if (at_ns != 0) view.input_at_ns = std::min(view.input_at_ns, at_ns);  // 0: there never was one.
+    view.newest_input_ns = std::max(view.newest_input_ns, at_ns);
   }
 }
 
@@ -62,6 +63,7 @@ void ParseRest(const Json& board, BoardView& view) {
   view.lines_active = board.at("lines").at("active");
   const Json& lips = board.at("lips");
   view.lips_live = Live(lips);
+  view.lips_at_ns = lips.at("at_ns");
   view.lips_frames = lips.at("frames");
   view.lips_height = lips.at("height");
   view.lips_quality = lips.at("quality");

@@ -12,7 +12,7 @@ namespace kaori::hil {
 // A joystick of the board. Values are the box's: after dead zone and centre.
 // `port` is a number that the box made of the port's name, so that equal sticks can be told apart.
 struct StickView {
-  // Its device is there and delivers; else the values are those that were read last.
+  // Its device is there and delivers, and the program that reads it runs; else the values are those that were read last.
   bool live = false;
   // Between the stops, -1 .. 1: right and forwards are positive.
   double x = 0;
@@ -21,10 +21,11 @@ struct StickView {
   std::uint32_t port = 0;
 };
 
-// What the stage tells of itself. A new program counts from 0 again.
+// What the stage tells of itself.
 struct StageView {
+  // It runs: it holds the right to write this.
   bool live = false;
-  // Presented since the program began.
+  // Presented since the board began, by whichever stage: a new program counts on.
   std::uint32_t frames = 0;
   // Vertical blanks at which no new frame was ready.
   std::uint32_t missed_flips = 0;
@@ -63,10 +64,14 @@ struct BoardView {
   // When a device of those above was last plugged in or heard, by the guest's clock; of those that were ever
   // there, that for which it is longest ago.
   std::int64_t input_at_ns = 0;
+  // The same of that which was plugged in or heard last.
+  std::int64_t newest_input_ns = 0;
   bool lines_live = false;
   // Bit n: input line n is active, as the box's settings have it: active low is turned round already.
   std::uint32_t lines_active = 0;
   bool lips_live = false;
+  // When the picture was taken that was measured last, by the guest's clock.
+  std::int64_t lips_at_ns = 0;
   // Camera frames that were measured since the lip program began.
   std::uint32_t lips_frames = 0;
   // In widths of the mouth at rest.

@@ -9,16 +9,12 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <tuple>
 
-#include "appliance/core/board/board.h"
-#include "hw-sim/hil/board_view.h"
 #include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/qemu_command.h"
 #include "hw-sim/hil/report.h"
 #include "hw-sim/links/usbredir/usb_rig.h"
 #include "tests/hil/agent/actions.h"
-#include "tests/hil/agent/board_json.h"
 #include "tests/hil/agent/first_program.h"
 
 namespace kaori::hil {
@@ -89,45 +85,6 @@ class Folder : public ::testing::Test {
   std::string Path(const std::string& name) const { return folder_ + "/" + name; }
   std::string folder_;
 };
-
-using AgentBoard = Folder;
-
-TEST_F(AgentBoard, IsWhatTheBenchReads) {
-  const auto board = board::Board::Create(Path("board"));
-  ASSERT_TRUE(board);
-  const ManualClock clock;
-  board::Surface surface;
-  surface.counts[2] = -64;
-  surface.pushes[31] = 7;
-  board->AcquireWriter<board::Surface>()->Write(surface, clock.now(), board::SourceState::kLive);
-  board->AcquireWriter<board::Stick>(1)->Write({.x = -0.5F, .y = 0.25F, .port = 99}, clock.now(),
-                                               board::SourceState::kStale);
-  board::StageStatus stage;
-  stage.frames = 12;
-  board->AcquireWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
-  board::ShowNow show{.cue_active = 3, .cue_standby = 4, .cue_pending = 5};
-  for (float value = 0; auto& level : show.levels) level.value = value++;
-  board->AcquireWriter<board::ShowNow>()->Write(show, clock.now(), board::SourceState::kLive);
-  board->AcquireWriter<board::Desk>()->Write({.code = 123456}, clock.now(), board::SourceState::kLive);
-  const auto view = ReadBoardView(agent::BoardAsJson(*board, clock));
-  ASSERT_TRUE(view) << view.error().message();
-  EXPECT_EQ(view->desk_code, 123456);
-  EXPECT_TRUE(view->surface_live);
-  EXPECT_EQ(view->counts[2], -64);
-  EXPECT_EQ(view->pushes[31], 7U);
-  EXPECT_FALSE(view->right.live);
-  EXPECT_EQ(view->right.x, -0.5);
-  EXPECT_EQ(view->right.port, 99U);
-  EXPECT_FALSE(view->left.live);
-  EXPECT_EQ(view->stage.frames, 12U);
-  EXPECT_EQ(std::tuple(view->cue_active, view->cue_standby, view->cue_pending), std::tuple(3, 4, 5));
-  EXPECT_EQ(std::tuple(view->head_yaw_rad, view->gaze_yaw_rad), std::tuple(8, 12));
-  EXPECT_EQ(view->now_ns, clock.now().time_since_epoch().count());
-}
-
-TEST(BoardView, RefusesWhatNoAgentSays) {
-  for (const char* said : {"", "{}", R"({"surface":7})"}) EXPECT_FALSE(ReadBoardView(said)) << said;
-}
 
 using AgentActions = Folder;
 

@@ -17,12 +17,17 @@ namespace {
 // without OFD would belong to the process: it would let a second writer of the same process in, and would be
 // lost when any descriptor of the file is closed. The range is the section's own bytes, so that two sections
 // of one file lock independently.
-bool LockSection(int fd, const SectionPlace& place) {
+struct flock LockOf(const SectionPlace& place) {
   struct flock lock {};
   lock.l_type = F_WRLCK;
   lock.l_whence = SEEK_SET;
   lock.l_start = static_cast<off_t>(place.at_word * sizeof(Word));
   lock.l_len = static_cast<off_t>(SectionWords(place.value_words) * sizeof(Word));
+  return lock;
+}
+
+bool LockSection(int fd, const SectionPlace& place) {
+  struct flock lock = LockOf(place);
   return ::fcntl(fd, F_OFD_SETLK, &lock) == 0;
 }
 
@@ -155,6 +160,13 @@ bool Board::intact() const {
 
 bool Board::Fetch(Section section, std::uint32_t age, std::span<std::uint32_t> value) const {
   return board::Fetch(mapping_.words() + Place(section).at_word, age, value);
+}
+
+// Asks by the descriptor of the reader, which owns no lock itself: so writers of this process are found as well. F_OFD_GETLK
+// sets the type to F_UNLCK where the lock could be had, and locks nothing.
+bool Board::HasWriter(Section section) const {
+  struct flock lock = LockOf(Place(section));
+  return ::fcntl(file_.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
 }  // namespace kaori::board

@@ -10,7 +10,7 @@
 // working writer could have written. A value can be old: its stamp says when it became true, and its
 // SourceState whether the device behind it still answers. What an old value means is said at each section in
 // sections.h. A writer that died leaves its last value with the state kLive, so readers of a program that
-// must be alive (the stage, a calibration) compare the stamp with their own clock.
+// must be alive (the stage, a calibration) compare the stamp with their own clock, or ask HasWriter.
 #pragma once
 
 #include <array>
@@ -168,6 +168,15 @@ class Board {
     return {};
   }
 
+  // Whether anybody, in whatever process, has the right to write the section of T now. Whoever ended has let go of it, in
+  // whatever way it ended; one that hangs has not. Asked of the file that this object reads: of one that was replaced
+  // meanwhile it tells of who has not moved yet. False where the file cannot be asked. One system call, which needs no
+  // more than the right to read.
+  template <class T>
+  bool HasWriter(int which = 0) const {
+    return HasWriter(SectionOf<T>(which));
+  }
+
   // Where the board lies, as it was opened; other files of the programs lie beside it.
   const std::string& path() const { return path_; }
 
@@ -181,6 +190,8 @@ class Board {
   // The untyped half of Read: `value` has the words of the section; false where that generation cannot be
   // had.
   bool Fetch(Section section, std::uint32_t age, std::span<std::uint32_t> value) const;
+  // The untyped half of HasWriter.
+  bool HasWriter(Section section) const;
 
   std::string path_;
   // The file that is mapped now. Its inode is compared with the one at the path, to see whether it was

@@ -1,7 +1,10 @@
 // The board as a reader and a writer meet it.
 #include "appliance/core/board/board.h"
 
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -93,6 +96,36 @@ TEST(Board, KeepsTheLastValueWhenItsWriterGoesAndTakesTheNext) {
   EXPECT_EQ(board.Read<Lamps>().value.lit, 7U);
   second.Write({.lit = 8}, kNoon, SourceState::kLive);
   EXPECT_EQ(board.Read<Lamps>().value.lit, 8U);
+}
+
+TEST(Board, TellsWhetherASectionHasAWriter) {
+  const BoardFile file;
+  const Board board = file.Open(), reading = Board::Open(file.path()).value();
+  EXPECT_FALSE(reading.HasWriter<Stick>(1));
+  {
+    const auto writer = board.AcquireWriter<Stick>(1).value();
+    EXPECT_TRUE(reading.HasWriter<Stick>(1));
+    EXPECT_TRUE(board.HasWriter<Stick>(1)) << "of the same object, too";
+    EXPECT_FALSE(reading.HasWriter<Stick>(0) || reading.HasWriter<Keys>());
+  }
+  EXPECT_FALSE(reading.HasWriter<Stick>(1));
+}
+
+// Its last value stays, and says that the source is there.
+TEST(Board, HasNoWriterAnyMoreWhenItsProcessWasKilled) {
+  const BoardFile file;
+  const Board board = file.Open();
+  const pid_t writing = ::fork();
+  if (writing == 0) {
+    auto writer = Board::Open(file.path())->AcquireWriter<Lamps>().value();
+    for (writer.Write({.lit = 7}, kNoon, SourceState::kLive);;) ::pause();
+  }
+  while (board.Read<Lamps>().value.lit != 7) std::this_thread::yield();
+  EXPECT_TRUE(board.HasWriter<Lamps>());
+  ::kill(writing, SIGKILL);
+  ::waitpid(writing, nullptr, 0);
+  EXPECT_FALSE(board.HasWriter<Lamps>());
+  EXPECT_EQ(board.Read<Lamps>().source, SourceState::kLive);
 }
 
 TEST(Board, PassesOverValuesThatCannotBeAndKeepsTheLastGoodOne) {

@@ -24,41 +24,54 @@ std::int64_t Microseconds(Duration length) {
   return std::chrono::duration_cast<std::chrono::microseconds>(length).count();
 }
 
+// A section as it was read, and whether a program still holds it: one that died leaves a value that says it is live.
 template <class T>
-std::string Head(const board::Stamped<T>& section) {
-  return fmt::format(R"("source":"{}","at_ns":{})", kStates[static_cast<std::size_t>(section.source)],
+struct Held : board::Stamped<T> {
+  bool held = false;
+};
+
+// The value first: a writer that goes between the two looks is gone.
+template <class T>
+Held<T> Look(const board::Board& board, int which = 0) {
+  return {board.Read<T>(which), board.HasWriter<T>(which)};
+}
+
+template <class T>
+std::string Head(const Held<T>& section) {
+  return fmt::format(R"("source":"{}","held":{},"at_ns":{})",
+                     kStates[static_cast<std::size_t>(section.source)], section.held,
                      Nanoseconds(section.at));
 }
 
-std::string StickAsJson(const board::Stamped<board::Stick>& stick) {
+std::string StickAsJson(const Held<board::Stick>& stick) {
   const auto& value = stick.value;
   return fmt::format(R"({{{},"x":{},"y":{},"twist":{},"slider":{},"buttons":{},"port":{}}})", Head(stick),
                      value.x, value.y, value.twist, value.slider, value.buttons_down, value.port);
 }
 
-std::string SurfaceAsJson(const board::Stamped<board::Surface>& surface) {
+std::string SurfaceAsJson(const Held<board::Surface>& surface) {
   return fmt::format(R"({{{},"counts":[{}],"buttons":{},"pushes":[{}]}})", Head(surface),
                      fmt::join(surface.value.counts, ","), surface.value.buttons_down,
                      fmt::join(surface.value.pushes, ","));
 }
 
-std::string LinesAsJson(const board::Stamped<board::Lines>& lines) {
+std::string LinesAsJson(const Held<board::Lines>& lines) {
   return fmt::format(R"({{{},"active":{},"pushes":[{}]}})", Head(lines), lines.value.active,
                      fmt::join(lines.value.pushes, ","));
 }
 
-std::string LipsAsJson(const board::Stamped<board::Lips>& lips) {
+std::string LipsAsJson(const Held<board::Lips>& lips) {
   return fmt::format(R"({{{},"height":{},"width":{},"quality":{},"frames":{}}})", Head(lips),
                      lips.value.height, lips.value.width, lips.value.quality, lips.value.frames);
 }
 
-std::string VoiceAsJson(const board::Stamped<board::Voice>& voice) {
+std::string VoiceAsJson(const Held<board::Voice>& voice) {
   return fmt::format(R"({{{},"level_db":{},"speaking":{},"height":{},"width":{},"blocks":{}}})", Head(voice),
                      voice.value.level_db, voice.value.speaking, voice.value.height, voice.value.width,
                      voice.value.blocks);
 }
 
-std::string StageAsJson(const board::Stamped<board::StageStatus>& stage) {
+std::string StageAsJson(const Held<board::StageStatus>& stage) {
   const auto& value = stage.value;
   return fmt::format(
       R"({{{},"frames":{},"missed_flips":{},"frames_per_s":{},"face":{},"expression":{},"scene":{},"input_age_us":{},)"
@@ -81,25 +94,25 @@ std::string AimAsJson(const board::ShowNow& show) {
 }
 
 // The code that the screen shows; -1 where it shows none.
-std::int64_t DeskCode(const board::Stamped<board::Desk>& desk) {
-  return desk.source == board::SourceState::kLive ? std::int64_t{desk.value.code} : -1;
+std::int64_t DeskCode(const Held<board::Desk>& desk) {
+  return desk.held && desk.source == board::SourceState::kLive ? std::int64_t{desk.value.code} : -1;
 }
 
 }  // namespace
 
 std::string BoardAsJson(const board::Board& board, const Clock& clock) {
-  const auto keys = board.Read<board::Keys>();
-  const auto pointer = board.Read<board::Pointer>();
+  const auto keys = Look<board::Keys>(board);
+  const auto pointer = Look<board::Pointer>(board);
   return fmt::format(
       R"({{"now_ns":{},"surface":{},"left":{},"right":{},"keys":{{{},"down":[{}]}},"pointer":{{{},"x":{},"y":{}}},)"
       R"("lines":{},"lips":{},"voice":{},"lamps":{},"stage":{},"cues":{},"aim":{},"desk_code":{}}})",
-      Nanoseconds(clock.now()), SurfaceAsJson(board.Read<board::Surface>()),
-      StickAsJson(board.Read<board::Stick>(0)), StickAsJson(board.Read<board::Stick>(1)), Head(keys),
+      Nanoseconds(clock.now()), SurfaceAsJson(Look<board::Surface>(board)),
+      StickAsJson(Look<board::Stick>(board)), StickAsJson(Look<board::Stick>(board, 1)), Head(keys),
       fmt::join(keys.value.down, ","), Head(pointer), pointer.value.x, pointer.value.y,
-      LinesAsJson(board.Read<board::Lines>()), LipsAsJson(board.Read<board::Lips>()),
-      VoiceAsJson(board.Read<board::Voice>()), board.Read<board::Lamps>().value.lit,
-      StageAsJson(board.Read<board::StageStatus>()), CuesAsJson(board.Read<board::ShowNow>()),
-      AimAsJson(board.Read<board::ShowNow>().value), DeskCode(board.Read<board::Desk>()));
+      LinesAsJson(Look<board::Lines>(board)), LipsAsJson(Look<board::Lips>(board)),
+      VoiceAsJson(Look<board::Voice>(board)), board.Read<board::Lamps>().value.lit,
+      StageAsJson(Look<board::StageStatus>(board)), CuesAsJson(board.Read<board::ShowNow>()),
+      AimAsJson(board.Read<board::ShowNow>().value), DeskCode(Look<board::Desk>(board)));
 }
 
 std::string WatchEvents(const board::Board& board, const Clock& clock, Duration length) {
