@@ -230,12 +230,12 @@ std::vector<Check> CableChecks() {
            Crossed,
            {},
            "kaori-input.service"},
-          {"input-killed",
-           "The input program is killed: roles and dials stay",
-           true,
-           InputKilled,
-           {},
-           "kaori-input.service"}};
+          {.name = "input-killed",
+           .sentence = "The input program is killed: roles and dials stay",
+           .chosen = true,
+           .run = InputKilled,
+           .fails_without = "kaori-input.service",
+           .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

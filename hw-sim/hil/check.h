@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/base/result.h"
+#include "hw-sim/hil/box_programs.h"
 #include "hw-sim/hil/setup.h"
 #include "hw-sim/hil/target.h"
 
@@ -59,6 +60,8 @@ struct Scene {
   std::mt19937& chance;
   // The scenario that is played.
   std::string play;
+  // The box's programs as the check found them; none where the box has no agent, or is off.
+  std::vector<BoxProgram> programs{};
 
   // Adds a picture of the screen to the finding, with the name of the check and a number as its
   // file. Errors: as VideoProtocol::Shoot.
@@ -74,8 +77,8 @@ struct Scene {
   // those of the board.
   Result<BoardView> SettledBoard();
 
-  // Wants that the stage has not ended since power came. Errors: invalid_argument (it has), those of the
-  // agent.
+  // Wants that the stage has not ended since the check began, whatever checks before it did to it. Errors:
+  // invalid_argument (it has), as LookAtPrograms.
   Result<void> WantNoRestart();
 
   // For checks that switch the box on by themselves. Errors: as QemuDriver::On.
@@ -105,6 +108,9 @@ struct Check {
   std::function<Result<void>(Scene&)> control{};
   // It switches the box on and off by itself; it finds it without power.
   bool powers = false;
+  // It kills, stops or replaces programs of the box by itself. Any other check fails where one of them has ended meanwhile: a
+  // box that mends itself sooner than a check looks would seem whole.
+  bool ends_programs = false;
 };
 
 // The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.

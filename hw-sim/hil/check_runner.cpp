@@ -27,8 +27,8 @@ constexpr const char* kInputUnit = "kaori-input.service";
 // In a control nothing is expected to come, so waiting long would only cost time.
 constexpr Duration kControlPatience = std::chrono::seconds(20);
 
-// A fade on a machine whose processor draws, and the frame after it.
-constexpr Duration kLongestLeaving = std::chrono::seconds(60);
+// A fade on a machine whose processor draws, and the frames after it.
+constexpr Duration kLongestLeaving = std::chrono::seconds(120);
 
 // Enough for the box to notice that a device is gone.
 constexpr Duration kNoticesLoss = std::chrono::seconds(2);
@@ -36,6 +36,11 @@ constexpr Duration kNoticesLoss = std::chrono::seconds(2);
 // Whether checks that come later find its box as it leaves it: those of the usual setup come one after another.
 bool IsShared(const Check& check) {
   return !check.powers && check.setup == Setup{};
+}
+
+// Whether its box can be asked before and after it.
+bool HasAgent(const Check& check) {
+  return !check.powers && check.setup.agent;
 }
 
 // Either is undone by its destructor.
@@ -63,7 +68,7 @@ ReportedCheck CheckRunner::Run(const Check& check) {
     finding.said = ok.error().message();
     return reported;
   }
-  if (ok) ok = check.run(scene);
+  if (ok) ok = RunWatched(check, scene);
   if (ok && options_.controls && finding.verdict == Verdict::kPassed) ok = Control(check, finding);
   if (ok && finding.verdict == Verdict::kPassed && IsShared(check)) ok = LeavesAFace();
   finding.took_s = Seconds(target_.clock().now() - began);
@@ -95,8 +100,35 @@ Result<void> CheckRunner::Prepare(const Check& check) {
   return {};
 }
 
-// Else the next check that looks at the screen would fail, for a dial that this one left turned.
+// Programs that end by themselves are started again within a second: afterwards only the numbers of their processes tell.
+Result<void> CheckRunner::RunWatched(const Check& check, Scene& scene) {
+  if (auto ok = NotePrograms(check, scene); !ok) return ok;
+  auto ok = check.run(scene);
+  if (!ok || !IsShared(check) || check.ends_programs) return ok;
+  const auto now = LookAtPrograms(target_.agent());
+  if (!now) return tl::unexpected(now.error());
+  const std::string ended = EndedSince(scene.programs, *now);
+  return ended.empty() ? Result<void>{} : FailInput(ended);
+}
+
+Result<void> CheckRunner::NotePrograms(const Check& check, Scene& scene) {
+  if (!HasAgent(check)) return {};
+  auto programs = LookAtPrograms(target_.agent());
+  if (!programs) return tl::unexpected(programs.error());
+  scene.programs = std::move(*programs);
+  return {};
+}
+
+// Else the next check that looks at the screen would fail, for a dial that this one left turned. The kernel keeps the last picture
+// of a stage that has died or hangs, so one must have looked at the board since the check ended.
 Result<void> CheckRunner::LeavesAFace() {
+  const auto ended = target_.Board();
+  if (!ended) return tl::unexpected(ended.error());
+  const auto draws = [&](const BoardView& board) {
+    return board.stage.live && board.stage.read_ns > ended->now_ns;
+  };
+  if (!target_.UntilBoard(draws, kLongestLeaving, "see a frame afterwards"))
+    return FailInput("it passed, but leaves the next check a stage that draws no more");
   const std::string shot = options_.report + "/left.png";
   const auto face = [&] {
     const auto picture = target_.machine().Shoot(0, shot).and_then([&] { return LookAt(shot); });
@@ -114,6 +146,9 @@ Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
   scene.folder += "/control";  // Its pictures are not those of the check.
   std::filesystem::create_directories(scene.folder);
   auto ok = check.control ? check.control(scene) : FailsWithout(check, scene);
+  // Whoever could not try it has not seen that anything is found wrong.
+  if (ok && unseen.verdict == Verdict::kSkipped)
+    ok = FailInput("it could not be tried, since " + unseen.said);
   if (!ok) return FailInput("the negative control: " + ok.error().message());
   finding.said +=
       check.control ? "; the control was found wrong" : "; it fails without " + check.fails_without;
@@ -121,8 +156,9 @@ Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
 }
 
 // What was withdrawn is there again afterwards; where the box does not recover the next check starts a new
-// one.
+// one. A check that skips is not said to fail: Control sees that.
 Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
+  if (auto ok = NotePrograms(check, scene); !ok) return ok;
   const auto before = target_.Board();
   // The braces bring back what was withdrawn before the box is asked to recover.
   const bool passed = [&] {

@@ -51,11 +51,16 @@ class CheckRunner {
   Result<void> StartBox(const Setup& setup);
   // Errors: as StartBox. A check that switches by itself finds the box without power.
   Result<void> Prepare(const Check& check);
-  // Fails where the control does not find wrong what is wrong.
+  // Runs the check alone. Errors: its own; invalid_argument, a program of the box has ended meanwhile that the check does not
+  // end itself, on a box that later checks find as it is left.
+  Result<void> RunWatched(const Check& check, Scene& scene);
+  // Has the scene know how the box's programs stand now. Errors: those of LookAtPrograms.
+  Result<void> NotePrograms(const Check& check, Scene& scene);
+  // Fails where the control does not find wrong what is wrong, or cannot be tried.
   Result<void> Control(const Check& check, Finding& finding);
   // Fails where the check passes although what it needs was withdrawn.
   Result<void> FailsWithout(const Check& check, Scene& scene);
-  // Errors: invalid_argument, the box that the check leaves shows no face.
+  // Errors: invalid_argument, the box that the check leaves draws no more, or shows no face; those of the board.
   Result<void> LeavesAFace();
   // What a check works with, for this finding.
   Scene SceneOf(Finding& finding);

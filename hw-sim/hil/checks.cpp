@@ -62,11 +62,15 @@ Result<BoardView> Scene::SettledBoard() {
   return before;
 }
 
+// The other programs are the runner's business: a check that ends some of them may still want this of the stage.
 Result<void> Scene::WantNoRestart() {
-  constexpr const char* kRestarts = "own /usr/bin/systemctl show -p NRestarts --value kaori-stage.service";
-  const auto restarts = target.agent().Ask(kRestarts, std::chrono::minutes(2));
-  if (!restarts) return tl::unexpected(restarts.error());
-  return *restarts == "0\n" ? Result<void>{} : FailInput("the stage has started again: " + *restarts);
+  const auto now = LookAtPrograms(target.agent());
+  if (!now) return tl::unexpected(now.error());
+  auto stage = programs;
+  std::erase_if(stage, [](const BoxProgram& program) { return program.name != "kaori-stage"; });
+  if (stage.empty()) return Fail(std::errc::no_such_process, "compare the stage with that of the beginning");
+  const std::string ended = EndedSince(stage, *now);
+  return ended.empty() ? Result<void>{} : FailInput(ended);
 }
 
 Result<void> Scene::SwitchOn(const Setup& setup) {

@@ -223,23 +223,20 @@ Result<void> CrossedLinesAreSeen(Scene& scene) {
 }  // namespace
 
 std::vector<Check> SerialBoxChecks() {
-  return {{"serial-boxes",
-           "The dial boxes of 1993 play behind a serial adapter",
-           false,
-           SerialBoxes,
-           {},
-           {},
-           AnotherSpeedIsSeen}};
+  return {{.name = "serial-boxes",
+           .sentence = "The dial boxes of 1993 play behind a serial adapter",
+           .run = SerialBoxes,
+           .control = AnotherSpeedIsSeen,
+           .ends_programs = true}};
 }
 
 std::vector<Check> DialLineChecks() {
-  return {{"gpio-dials",
-           "Dials on GPIO lines are counted edge by edge",
-           false,
-           GpioDials,
-           CountedSetup(),
-           {},
-           CrossedLinesAreSeen}};
+  return {{.name = "gpio-dials",
+           .sentence = "Dials on GPIO lines are counted edge by edge",
+           .run = GpioDials,
+           .setup = CountedSetup(),
+           .control = CrossedLinesAreSeen,
+           .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

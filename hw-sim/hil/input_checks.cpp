@@ -153,12 +153,11 @@ std::vector<Check> InputChecks() {
        "kaori-input.service"},
       {"sticks", "Both joysticks arrive, each as itself", true, Sticks, {}, "kaori-input.service"},
       {"keys", "Keys and the pointer arrive", true, KeysAndPointer, {}, "kaori-input.service"},
-      {"libusb",
-       "All input devices again, by libusb instead of the kernel's driver",
-       false,
-       Libusb,
-       {},
-       "dial-box"}};
+      {.name = "libusb",
+       .sentence = "All input devices again, by libusb instead of the kernel's driver",
+       .run = Libusb,
+       .fails_without = "dial-box",
+       .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

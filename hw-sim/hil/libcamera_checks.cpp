@@ -70,7 +70,11 @@ Result<void> Libcamera(Scene& scene) {
 }  // namespace
 
 std::vector<Check> LibcameraChecks() {
-  return {{"libcamera", "The lip camera by libcamera instead of V4L2", false, Libcamera, {}, "camera"}};
+  return {{.name = "libcamera",
+           .sentence = "The lip camera by libcamera instead of V4L2",
+           .run = Libcamera,
+           .fails_without = "camera",
+           .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

@@ -238,13 +238,12 @@ std::vector<Check> HangChecks() {
 }
 
 std::vector<Check> RecoveryChecks() {
-  return {{"held",
-           "The last picture stays while the stage is killed, stopped and hangs",
-           false,
-           Held,
-           kSmall,
-           {},
-           WrongPicturesAreFound},
+  return {{.name = "held",
+           .sentence = "The last picture stays while the stage is killed, stopped and hangs",
+           .run = Held,
+           .setup = kSmall,
+           .control = WrongPicturesAreFound,
+           .ends_programs = true},
           {"restart",
            "A box whose first program hangs is started again by its watchdog",
            false,

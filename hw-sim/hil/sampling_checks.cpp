@@ -138,13 +138,12 @@ Result<void> EarlyIsRefused(Scene& scene) {
 }  // namespace
 
 std::vector<Check> SamplingChecks() {
-  return {{"late-sampling",
-           "Input is sampled late, and no flip is missed",
-           false,
-           LateSampling,
-           CountedSetup(),
-           {},
-           EarlyIsRefused}};
+  return {{.name = "late-sampling",
+           .sentence = "Input is sampled late, and no flip is missed",
+           .run = LateSampling,
+           .setup = CountedSetup(),
+           .control = EarlyIsRefused,
+           .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

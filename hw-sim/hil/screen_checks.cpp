@@ -110,13 +110,12 @@ Result<void> StageKilled(Scene& scene) {
 // Both look for a face, so their control is a picture without one.
 std::vector<Check> ScreenChecks() {
   return {{"face", "The face is on the screen", true, Face, {}, {}, BlackIsNoFace},
-          {"stage-killed",
-           "The stage is killed: its last picture stays, and it comes back",
-           true,
-           StageKilled,
-           {},
-           {},
-           BlackIsNoFace}};
+          {.name = "stage-killed",
+           .sentence = "The stage is killed: its last picture stays, and it comes back",
+           .chosen = true,
+           .run = StageKilled,
+           .control = BlackIsNoFace,
+           .ends_programs = true}};
 }
 
 std::vector<Check> AloneChecks() {

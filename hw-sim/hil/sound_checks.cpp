@@ -176,17 +176,21 @@ Result<void> SilenceIsNotFollowed(Scene& scene) {
 }  // namespace
 
 std::vector<Check> SoundChecks() {
-  return {{"sound", "Sound goes in, and what is played is heard", true, Sound, {}, "kaori-lips.service"}};
+  return {{.name = "sound",
+           .sentence = "Sound goes in, and what is played is heard",
+           .chosen = true,
+           .run = Sound,
+           .fails_without = "kaori-lips.service",
+           .ends_programs = true}};
 }
 
 std::vector<Check> LoopChecks() {
-  return {{"voice",
-           "A voice moves the mouth, and comes from the loudspeaker",
-           false,
-           Voice,
-           {.bench_kernel = true},
-           {},
-           SilenceIsNotFollowed}};
+  return {{.name = "voice",
+           .sentence = "A voice moves the mouth, and comes from the loudspeaker",
+           .run = Voice,
+           .setup = {.bench_kernel = true},
+           .control = SilenceIsNotFollowed,
+           .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

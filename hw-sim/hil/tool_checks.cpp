@@ -116,9 +116,17 @@ Result<void> PlantedFault(Scene& scene) {
 }  // namespace
 
 std::vector<Check> ToolChecks() {
-  return {
-      {"tools", "What evtest, v4l2-compliance, gpiodetect and others say", false, Tools, {}, "camera"},
-      {"kernel", "The kernel tells of no fault of its own", true, KernelWithoutFault, {}, {}, PlantedFault}};
+  return {{.name = "tools",
+           .sentence = "What evtest, v4l2-compliance, gpiodetect and others say",
+           .run = Tools,
+           .fails_without = "camera",
+           .ends_programs = true},
+          {.name = "kernel",
+           .sentence = "The kernel tells of no fault of its own",
+           .chosen = true,
+           .run = KernelWithoutFault,
+           .control = PlantedFault,
+           .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

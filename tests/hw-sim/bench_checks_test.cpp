@@ -1,0 +1,96 @@
+// What makes a check of the bench fail beside what it looks for itself: programs that ended, and controls that show nothing.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hw-sim/hil/box_programs.h"
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/check_runner.h"
+
+namespace kaori::hil {
+namespace {
+
+using ::testing::HasSubstr;
+
+// As systemctl(1) shows two units, in an order of its own.
+constexpr const char* kTwoUnits =
+    "MainPID=217\nNRestarts=0\nId=kaori-stage.service\n\nMainPID=0\nNRestarts=12\nId=kaori-lips.service\n";
+
+TEST(BoxPrograms, AreReadFromWhatTheServiceManagerShows) {
+  const std::vector<BoxProgram> two{{"kaori-stage", 217, 0}, {"kaori-lips", 0, 12}};
+  EXPECT_EQ(ReadPrograms(kTwoUnits), two);
+  EXPECT_TRUE(ReadPrograms("").empty());
+  EXPECT_TRUE(ReadPrograms("Unit kaori-stage.service could not be found.\n").empty());
+}
+
+TEST(BoxPrograms, HaveEndedWhereTheirProcessIsAnother) {
+  const std::vector<BoxProgram> before{{"kaori-stage", 217, 0}, {"kaori-input", 230, 3}};
+  EXPECT_EQ(EndedSince(before, before), "") << "what was before counts for nothing";
+  EXPECT_EQ(EndedSince(before, {{"kaori-stage", 217, 0}, {"kaori-input", 501, 4}}),
+            "kaori-input has ended meanwhile and was started again");
+  EXPECT_EQ(EndedSince(before, {{"kaori-stage", 0, 0}, {"kaori-input", 230, 3}}),
+            "kaori-stage has ended meanwhile");
+  EXPECT_EQ(EndedSince(before, {{"kaori-stage", 217, 0}}), "kaori-input has ended meanwhile");
+}
+
+TEST(BoxPrograms, ThatHadNoProcessBeforeHaveOnlyBeenStartedUnlessTheyAreCounted) {
+  EXPECT_EQ(EndedSince({{"kaori-fdkeeper", 0, 0}}, {{"kaori-fdkeeper", 240, 0}}), "");
+  EXPECT_EQ(EndedSince({{"kaori-lips", 0, 7}}, {{"kaori-lips", 240, 8}}),
+            "kaori-lips has ended meanwhile and was started again");
+}
+
+TEST(WantFoundWrong, PassesOnlyWhereSomethingWasFoundWrong) {
+  EXPECT_TRUE(WantFoundWrong(FailInput("the picture is black"), "black passes"));
+  const auto passed = WantFoundWrong({}, "black passes");
+  ASSERT_FALSE(passed);
+  EXPECT_EQ(passed.error().message(), "black passes");
+  const auto dead = WantFoundWrong(Fail(std::errc::timed_out, "ask hello"), "black passes");
+  ASSERT_FALSE(dead) << "a machine that does not answer shows nothing";
+  EXPECT_THAT(dead.error().message(), HasSubstr("ask hello"));
+}
+
+// Checks that would switch a machine on by themselves, and do not.
+class Runner : public ::testing::Test {
+ protected:
+  Runner() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "kaori-runner-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    target_ = Target::Open({.image = folder_, .folder = folder_}, clock_).value();
+  }
+  ~Runner() override {
+    target_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  Finding Run(std::function<Result<void>(Scene&)> control) {
+    CheckRunner runner({.report = folder_, .play = {}, .controls = true}, *target_);
+    const auto passes = [](Scene&) { return Result<void>{}; };
+    return runner
+        .Run({.name = "check",
+              .sentence = "A check passes",
+              .run = passes,
+              .control = std::move(control),
+              .powers = true})
+        .finding;
+  }
+
+  SteadyClock clock_;
+  std::string folder_;
+  std::unique_ptr<Target> target_;
+};
+
+TEST_F(Runner, PassesACheckWhoseControlFindsSomethingWrong) {
+  EXPECT_EQ(Run([](Scene&) { return Result<void>{}; }).verdict, Verdict::kPassed);
+}
+
+TEST_F(Runner, FailsACheckWhoseControlCouldNotBeTried) {
+  const Finding finding = Run([](Scene& scene) { return scene.Skip("there is no stick"); });
+  EXPECT_EQ(finding.verdict, Verdict::kFailed);
+  EXPECT_EQ(finding.said, "the negative control: it could not be tried, since there is no stick");
+}
+
+}  // namespace
+}  // namespace kaori::hil
