@@ -13,6 +13,28 @@
 namespace kaori::hil {
 namespace {
 
+// Of the file of figures: an object with a list of names for each check.
+constexpr const char* kFiguresOfChecks = "figures_of_checks";
+
+// Removes what the check measured in any run. What it says now counts too: older files have no list of its names.
+void RemoveFigures(const ReportedCheck& check, nlohmann::json& figures) {
+  if (const auto& lists = figures[kFiguresOfChecks]; lists.is_object() && lists.contains(check.name))
+    for (const auto& name : lists[check.name])
+      if (name.is_string()) figures.erase(name.get<std::string>());
+  for (const auto& [name, value] : check.finding.figures) figures.erase(name);
+}
+
+// Beside those of others, with the check's name.
+void AddFigures(const ReportedCheck& check, nlohmann::json& figures) {
+  auto names = nlohmann::json::array();
+  for (const auto& [name, value] : check.finding.figures) {
+    figures[name] = value;
+    names.push_back(name);
+  }
+  if (names.empty()) return;
+  figures[kFiguresOfChecks][check.name] = std::move(names);
+}
+
 // JUnit has no place for what a passed test saw but its output.
 std::string Case(const ReportedCheck& check) {
   const std::string head = fmt::format(R"(    <testcase classname="bench" name="{}: {}" time="{:.1f}")",
@@ -72,7 +94,7 @@ Result<void> WriteReport(const Report& report, const std::string& folder) {
   return WriteWholeFile(folder + "/report.html", {AsBytes(AsPage(report))});
 }
 
-// Of two figures with one name the later check's stays.
+// Of two figures with one name the later check's stays. What was never a list of names is made one.
 Result<void> MergeFigures(const Report& report, const std::string& path) {
   auto figures = nlohmann::json::object();
   // A file that is not there is an empty object; one that cannot be read is
@@ -82,8 +104,13 @@ Result<void> MergeFigures(const Report& report, const std::string& path) {
   else if (text.error().cause != std::errc::no_such_file_or_directory)
     return tl::unexpected(text.error());
   if (!figures.is_object()) return FailInput(path + " is not a JSON object");
-  for (const ReportedCheck& check : report.checks)
-    for (const auto& [name, value] : check.finding.figures) figures[name] = value;
+  if (!figures[kFiguresOfChecks].is_object()) figures[kFiguresOfChecks] = nlohmann::json::object();
+  for (const ReportedCheck& check : report.checks) {
+    if (check.finding.verdict == Verdict::kSkipped) continue;
+    RemoveFigures(check, figures);
+    figures[kFiguresOfChecks].erase(check.name);
+    if (check.finding.verdict == Verdict::kPassed) AddFigures(check, figures);
+  }
   if (report.boot_s > 0) figures["first_frames_s"] = report.boot_s;
   return WriteWholeFile(path, {AsBytes(figures.dump(2) + "\n")});
 }

@@ -44,8 +44,9 @@ std::string TextFile(const std::string& check, const std::string& text);
 // is replaced as a whole. Blocks for the disk. Errors: those of the files.
 Result<void> WriteReport(const Report& report, const std::string& folder);
 
-// Sets what was measured in a JSON object that others write too; makes it where it is not
-// there. Other entries stay, in the order of their names. Errors: those of the file,
+// Sets what checks that have passed measured in a JSON object that others write too; makes it where it is not there. A check that
+// has failed leaves no figures, those of a run before neither: the object's entry "figures_of_checks" says whose are which. Other
+// entries stay, in the order of their names, also those of checks that were skipped or not tried. Errors: those of the file,
 // invalid_argument (not a JSON object).
 Result<void> MergeFigures(const Report& report, const std::string& path);
 

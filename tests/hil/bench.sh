@@ -74,7 +74,7 @@ make_sticks() {
   local folder
   say "making sticks"
   mkdir -p $STICKS
-  rm -f $STICKS/*.stick
+  rm -f $STICKS/*.stick $STICKS/box.kaoriupdate
   folder=$(mktemp -d)
   $BIN/kaori-atelier keygen "$folder/theatre" >"$LOGS/sticks.log" 2>&1 || fail "a key could not be made; see $LOGS/sticks.log"
   pack_small_show "$folder" evening
@@ -117,8 +117,9 @@ run_check() {
 }
 
 # One after the other, since they share the processors. kaori-bench runs its checks with their negative controls; the other
-# one has its control in it.
+# one has its control in it. Figures of a run before would stand for checks that this one never came to.
 run_all_checks() {
+  rm -f out/boot.json
   run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
@@ -137,6 +138,7 @@ test_arm64_on_the_bench() {
   build release kaori-bench
   build arm64 kaori-hil-agent kaori-lips kaori-camera-libcamera
   tests/hil/bench_disk $bin/kaori-hil-agent $disk '' "$SYSROOT"
+  rm -f out/boot-arm64.json
   say "running checks on the image for arm64 in a virtual machine"
   $BIN/kaori-bench --arch arm64 --image out/image-arm64 --bench-disk $disk --report out/bench-arm64 --figures out/boot-arm64.json \
     --play "$PLAY" --only $ARM64_CHECKS --replugs 24 --scenes 2 || fail "the box failed on the bench; the report is out/bench-arm64/report.html"

@@ -207,15 +207,38 @@ TEST(BenchReport, ShowsPeoplePicturesAndFigures) {
   EXPECT_THAT(page, Not(HasSubstr("1 < 2")));
 }
 
-using BenchFigures = Folder;
+class BenchFigures : public Folder {
+ protected:
+  // What the file holds once the checks' figures have been laid into it.
+  std::string Merged(const Report& report) const {
+    EXPECT_TRUE(MergeFigures(report, Path("boot.json")));
+    std::ostringstream text;
+    text << std::ifstream(Path("boot.json")).rdbuf();
+    return text.str();
+  }
+};
 
-TEST_F(BenchFigures, AreLaidBesideThoseOfOthers) {
-  std::ofstream(Path("boot.json")) << R"({"first_light_over_stock": 0.1, "swaps": 9})";
-  ASSERT_TRUE(MergeFigures(Sample(), Path("boot.json")));
-  std::ostringstream text;
-  text << std::ifstream(Path("boot.json")).rdbuf();
-  EXPECT_THAT(text.str(), HasSubstr("\"first_light_over_stock\": 0.1"));
-  EXPECT_THAT(text.str(), HasSubstr("\"swaps\": 1.0"));
+TEST_F(BenchFigures, OfChecksThatPassedAreLaidBesideThoseOfOthers) {
+  std::ofstream(Path("boot.json")) << R"({"first_light_over_stock": 0.1, "hung_s": 9})";
+  Report report = Sample();
+  report.checks.push_back({"hung", "Programs come back", {.figures = {{"hung_s", 2}}}});
+  const std::string text = Merged(report);
+  EXPECT_THAT(text, HasSubstr("\"first_light_over_stock\": 0.1"));
+  EXPECT_THAT(text, HasSubstr("\"first_frames_s\": 30.0"));
+  EXPECT_THAT(text, HasSubstr("\"hung_s\": 2.0"));
+}
+
+TEST_F(BenchFigures, OfACheckThatFailsAreRemovedThoseOfARunBeforeToo) {
+  std::ofstream(Path("boot.json")) << R"({"swaps": 9})";
+  EXPECT_THAT(Merged(Sample()), Not(HasSubstr("swaps"))) << "no list says whose it was";
+  Report report = Sample();
+  report.checks = {{"replugs", "Roles stay", {.figures = {{"replugs", 200}, {"swaps", 0}}}}};
+  EXPECT_THAT(Merged(report), HasSubstr("\"replugs\": 200.0"));
+  Finding& replugs = report.checks[0].finding;
+  replugs = {.verdict = Verdict::kSkipped};
+  EXPECT_THAT(Merged(report), HasSubstr("\"replugs\": 200.0")) << "it was not tried";
+  replugs.verdict = Verdict::kFailed;
+  EXPECT_THAT(Merged(report), Not(HasSubstr("replugs"))) << "it did not come so far as to say any";
 }
 
 TEST_F(BenchFigures, AreNotLaidOverWhatIsNoObject) {
