@@ -16,6 +16,8 @@ constexpr double kWatched_s = 10;
 // An empty name behind "libcamera:" stands for the first camera that it finds.
 // Tools of the bench's disk: the image has no libcamera.
 constexpr const char* kCameras = "tool kaori-lips --device libcamera: --modes";
+// Of the kernel's own driver, which libcamera needs as well.
+constexpr const char* kKernelsCamera = "read /sys/class/video4linux/video0/name";
 constexpr const char* kLips = "start-tool kaori-lips --device libcamera: --board /run/kaori/board";
 
 // What the lips measured over some seconds, by the machine's own clock. Errors: those of the board.
@@ -53,6 +55,9 @@ Result<void> Libcamera(Scene& scene) {
   AgentProtocol& agent = scene.target.agent();
   // The box's own lip program must let go of the camera; it comes back whatever is found here.
   const PausedUnit lips(scene, "kaori-lips.service");
+  // Without a camera nothing could be said of libcamera, and the control would only be skipped.
+  if (const auto camera = agent.Ask(kKernelsCamera, kLibcameraAnswer); !camera)
+    return FailInput("the kernel shows no camera: " + camera.error().message());
   const auto cameras = agent.Ask(kCameras, kLibcameraAnswer);
   scene.finding.texts.emplace_back("libcamera's cameras", cameras ? *cameras : cameras.error().message());
   // libcamera has no handler for every kernel's cameras: that is told, and no failure of the box.
