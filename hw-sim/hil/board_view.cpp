@@ -93,7 +93,7 @@ Result<BoardView> ReadBoardView(const std::string& text) {
     ParseInput(board, view);
     ParseRest(board, view);
   } catch (const Json::exception& fault) {
-    return FailInput(std::string("the agent's board: ") + fault.what());
+    return Fail(std::errc::invalid_argument, std::string("the agent's board: ") + fault.what());
   }
   return view;
 }

@@ -116,8 +116,9 @@ struct Check {
 // The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.
 double Quantile(std::vector<double> values, double part);
 
-// For a control: what was tried must have failed since it found something wrong, and not since the machine
-// did not start. Errors: invalid_argument (it passed; with `passed`), else its own.
+// For a control: what was tried must have failed since it found something wrong (ErrorKind::kInput), and not since the machine did
+// not start, the agent or QEMU refused something, or a program of this computer failed: those are ErrorKind::kSystem. Errors:
+// invalid_argument (it passed; with `passed`), else its own.
 Result<void> WantFoundWrong(const Result<void>& tried, const char* passed);
 
 // In the order in which they are run; those that want the same setup stand together.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -158,8 +159,24 @@ constexpr const char* kMachineId = "read /etc/machine-id";
 // As the box's journald.conf has it, with time for a slow machine.
 constexpr Duration kUntilSynced = seconds(30);
 
+// Whether the journal has an evening before this one, whose number is -1 (journalctl(1)). It is asked first: of an evening that
+// it does not have journalctl makes an error, which would be taken for one of the agent.
+Result<bool> HasEveningBefore(Scene& scene) {
+  const auto listed =
+      scene.target.agent().Ask("own /usr/bin/journalctl --list-boots --no-pager", kDataAnswer);
+  if (!listed) return tl::unexpected(listed.error());
+  std::istringstream lines(*listed);
+  std::string number;
+  for (std::string line; std::getline(lines, line);)
+    if (std::istringstream(line) >> number && number == "-1") return true;
+  return false;
+}
+
 // What the stage said in the evening before this one. Errors: invalid_argument (nothing is kept).
 Result<void> WantEveningBefore(Scene& scene) {
+  const auto has = HasEveningBefore(scene);
+  if (!has) return tl::unexpected(has.error());
+  if (!*has) return FailInput("the journal has no evening before this one");
   const auto said = scene.target.agent().Ask(
       "own /usr/bin/journalctl -b -1 --no-pager -o cat -n 100 -u kaori-stage", kDataAnswer);
   if (!said) return tl::unexpected(said.error());

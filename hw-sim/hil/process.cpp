@@ -90,7 +90,7 @@ Result<void> RunToEnd(const std::vector<std::string>& words, const std::string& 
   // The call blocks the bench: it is for tools that end by themselves.
   ::waitpid(number, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  return FailInput(words[0] + " failed: " + ReadFile(log).value_or("it left no log"));
+  return Fail(std::errc::invalid_argument, words[0] + " failed: " + ReadFile(log).value_or("it left no log"));
 }
 
 }  // namespace kaori::hil

@@ -62,7 +62,7 @@ Result<void> QemuDriver::On() {
   // QEMU makes the socket of its monitor before it runs the guest.
   const auto begins = [&] { return !process_->runs() || std::filesystem::exists(monitor); };
   static_cast<void>(waiter_.Until(begins, kLongestBeginning));
-  if (!process_->runs()) return FailInput("QEMU ended at once; it said: " + log());
+  if (!process_->runs()) return Fail(std::errc::no_such_process, "QEMU ended at once; it said: " + log());
   auto qmp = Qmp::Call(monitor, waiter_);
   if (!qmp) return tl::unexpected(qmp.error());
   qmp_.emplace(std::move(*qmp));

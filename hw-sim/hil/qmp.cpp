@@ -50,7 +50,8 @@ Result<void> Qmp::Do(const std::string& command, json::Object arguments) {
     const auto answer = nlohmann::json::parse(*line, nullptr, false);
     // An event has neither, and is passed over. What is no JSON is as well.
     if (answer.contains("return")) return {};
-    if (answer.contains("error")) return FailInput(command + ": " + answer["error"].value("desc", "refused"));
+    if (answer.contains("error"))
+      return Fail(std::errc::invalid_argument, command + ": " + answer["error"].value("desc", "refused"));
   }
 }
 

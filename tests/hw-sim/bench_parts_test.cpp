@@ -79,6 +79,7 @@ TEST_F(Programs, ThatFailSayWhy) {
   const auto ran = RunToEnd({"sh", "-c", "echo too few bricks; exit 3"}, Path("log"));
   ASSERT_FALSE(ran);
   EXPECT_THAT(ran.error().message(), HasSubstr("too few bricks"));
+  EXPECT_EQ(ran.error().kind, ErrorKind::kSystem);
 }
 
 TEST(QemuCommand, DrawsInsideUnlessTheBenchShallDraw) {
