@@ -180,8 +180,8 @@ Result<void> PulledBox(Scene& scene) {
   }
   const auto back = [&](const BoardView& b) {
     return b.surface_live && b.counts == before->counts &&
-           // The lamps of a box that lost its power are dark: somebody must light them again.
-           scene.target.rig().devices().dial_box.lamps() == b.lamps;
+           // The lamps of a box that lost its power are dark: somebody must light them again. That of the face is always lit.
+           b.lamps != 0 && scene.target.rig().devices().dial_box.lamps() == b.lamps;
   };
   scene.finding.said = "counts stand, lamps are lit again";
   if (auto ok = scene.target.UntilBoard(back, kLongest, "see the box back with its lamps"); !ok)

@@ -38,6 +38,7 @@ Result<void> Dials(Scene& scene) {
   return Ok(scene.target.UntilBoard(turned, kInputLongest, "see all dials turned"));
 }
 
+// Buttons that call expressions, one after the other another one: each lights its own lamp, and the one before goes dark.
 Result<void> ButtonsAndLamps(Scene& scene) {
   sim::DialBox& box = scene.target.rig().devices().dial_box;
   int lamps_seen = 0;
@@ -51,26 +52,55 @@ Result<void> ButtonsAndLamps(Scene& scene) {
       const auto n = static_cast<std::size_t>(button);
       // Lamps of the simulated box and of the board are the same: what the stage
       // wants has arrived at the device.
-      return board.pushes[n] == before->pushes[n] + 1 && board.lamps != 0 && box.lamps() == board.lamps;
+      return board.pushes[n] == before->pushes[n] + 1 && (board.lamps >> n & 1U) != 0 &&
+             box.lamps() == board.lamps;
     };
     if (auto ok = scene.target.UntilBoard(counted, kInputLongest,
-                                          fmt::format("see button {} and its lamps", button));
+                                          fmt::format("see button {} and its lamp", button));
         !ok)
       return Ok(ok);
     lamps_seen |= static_cast<int>(box.lamps());
   }
-  scene.finding.said = fmt::format(
-      "4 pushes counted; lamps of the simulated box as the stage lights them ({:#x})", lamps_seen);
+  scene.finding.said =
+      fmt::format("4 pushes counted, and their lamps lit on the simulated box ({:#x})", lamps_seen);
   return {};
 }
 
+// Sticks that nobody holds, at its beginning and at its end: what is seen of them in between was moved in between, and nothing stays
+// held for the next check, also where this one fails.
+class RestingSticks {
+ public:
+  explicit RestingSticks(Scene& scene) : devices_(scene.target.rig().devices()) { LetGo(); }
+  ~RestingSticks() { LetGo(); }
+  RestingSticks(const RestingSticks&) = delete;
+  RestingSticks& operator=(const RestingSticks&) = delete;
+
+ private:
+  void LetGo() {
+    devices_.left_stick.Move(0, 0);
+    devices_.right_stick.Move(0, 0);
+  }
+  sim::InputDevices& devices_;
+};
+
+// A stick at rest is exactly 0, by its dead zone.
+Result<BoardView> WantSticksAtRest(Scene& scene) {
+  const auto rests = [](const BoardView& board) {
+    return board.left.x == 0 && board.left.y == 0 && board.right.x == 0 && board.right.y == 0;
+  };
+  return scene.target.UntilBoard(rests, kInputLongest, "see both sticks at rest");
+}
+
 Result<void> Sticks(Scene& scene) {
+  RestingSticks sticks(scene);
+  if (auto ok = WantSticksAtRest(scene); !ok) return Ok(ok);
   sim::InputDevices& devices = scene.target.rig().devices();
   devices.left_stick.Move(0.8F, -0.6F);
   devices.right_stick.Move(-0.7F, 0.9F);
   const auto moved = [](const BoardView& board) {
     // Half of what was moved: dead zone and curve take some of it.
-    return board.left.x > 0.4 && board.left.y < -0.3 && board.right.x < -0.4 && board.right.y > 0.4;
+    return board.left.live && board.right.live && board.left.x > 0.4 && board.left.y < -0.3 &&
+           board.right.x < -0.4 && board.right.y > 0.4;
   };
   const auto there = scene.target.UntilBoard(moved, kInputLongest, "see both sticks moved");
   if (!there) return Ok(there);
@@ -78,12 +108,38 @@ Result<void> Sticks(Scene& scene) {
                                    there->right.x, there->right.y);
   devices.left_stick.Move(0, 0);
   devices.right_stick.Move(0, 0);
-  // A stick at rest is exactly 0, by its dead zone.
-  const auto rests = [](const BoardView& board) { return board.left.x == 0 && board.right.y == 0; };
-  return Ok(scene.target.UntilBoard(rests, kInputLongest, "see both sticks at rest"));
+  return Ok(WantSticksAtRest(scene));
 }
 
+// Key A up and the pointer in the upper left corner, at its beginning and at its end, as RestingSticks. The pointer comes there from
+// elsewhere: of one that does not move nothing is told, and the box would know of it what it knew before.
+class RestingKeys {
+ public:
+  explicit RestingKeys(Scene& scene) : scene_(scene) { LetGo(); }
+  ~RestingKeys() { LetGo(); }
+  RestingKeys(const RestingKeys&) = delete;
+  RestingKeys& operator=(const RestingKeys&) = delete;
+
+ private:
+  void LetGo() {
+    sim::InputDevices& devices = scene_.target.rig().devices();
+    devices.keyboard.Release(kKeyA);
+    devices.pointer.Move(0.5, 0.5);
+    // Longer than a report takes to be on the board: two moves at once would be one.
+    scene_.target.For(milliseconds(200));
+    devices.pointer.Move(0, 0);
+  }
+  Scene& scene_;
+};
+
 Result<void> KeysAndPointer(Scene& scene) {
+  const RestingKeys keys(scene);
+  const auto rests = [](const BoardView& board) {
+    return !board.key_down(kKeyA) && board.pointer_x < 0.01 && board.pointer_y < 0.01;
+  };
+  if (auto ok = scene.target.UntilBoard(rests, kInputLongest, "see key A up and the pointer in its corner");
+      !ok)
+    return Ok(ok);
   sim::InputDevices& devices = scene.target.rig().devices();
   devices.keyboard.Press(kKeyA);
   devices.pointer.Move(0.25, 0.75);
@@ -93,7 +149,7 @@ Result<void> KeysAndPointer(Scene& scene) {
   };
   if (auto ok = scene.target.UntilBoard(down, kInputLongest, "see key A and the pointer"); !ok) return Ok(ok);
   devices.keyboard.Release(kKeyA);
-  scene.finding.said = "key A down and up, the pointer a quarter from the left";
+  scene.finding.said = "key A down and up, the pointer from its corner to a quarter from the left";
   const auto up = [](const BoardView& board) { return !board.key_down(kKeyA); };
   return Ok(scene.target.UntilBoard(up, kInputLongest, "see key A up"));
 }
