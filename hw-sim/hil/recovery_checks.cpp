@@ -1,6 +1,5 @@
 // The last picture stays while the stage is away, and a box that hangs as a whole starts again.
 #include <array>
-#include <functional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -17,9 +16,6 @@ using std::chrono::seconds;
 // Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
 constexpr double kMovedByItself = 0.06;
 constexpr Duration kRecoveryAnswer = seconds(120);
-// Two seconds are wanted of a machine that has time; emulated, beside neighbours, it has little. A program
-// that hangs before it knows its own pace has two minutes, as its unit says.
-constexpr Duration kLongestHang = seconds(150);
 
 // A small screen, so that the stage is back sooner; no devices, whose drivers would need time. The
 // watchdog's machine is smaller yet: it only has to run.
@@ -177,65 +173,7 @@ Result<void> RunningIsNotReset(Scene& scene) {
   return ended ? FailInput("a box that runs is reset too") : Result<void>{};
 }
 
-// A program that has just started is watched by the two minutes of its unit, until it has told the service
-// manager of less.
-Result<void> WantPaceKnown(Scene& scene, const char* program) {
-  const std::string question = fmt::format("own /usr/bin/systemctl show -p WatchdogUSec {}.service", program);
-  Result<std::string> last;
-  const auto is_known = [&] {
-    last = scene.target.agent().Ask(question, kRecoveryAnswer);
-    return last && last->find("WatchdogUSec=") != std::string::npos && last->find("min") == std::string::npos;
-  };
-  if (scene.target.Until(is_known, kLongestHang)) return {};
-  return FailInput(fmt::format("{} is watched with the longest patience still: {}", program,
-                               last ? *last : last.error().message()));
-}
-
-// Hangs a program, and waits until another process of its name delivers. Gives how long that took, by the
-// machine's clock.
-Result<Duration> Hang(Scene& scene, const char* program,
-                      const std::function<bool(const BoardView&)>& delivers) {
-  if (auto ok = WantPaceKnown(scene, program); !ok) return tl::unexpected(ok.error());
-  const auto seen =
-      scene.target.UntilBoard(delivers, kLongestHang, fmt::format("see what {} delivers", program));
-  if (!seen) return tl::unexpected(seen.error());
-  const auto before = ProcessOf(scene, program);
-  if (!before) return tl::unexpected(before.error());
-  if (before->empty()) return FailInput(fmt::format("{} does not run", program));
-  const auto hung = scene.target.agent().Ask(fmt::format("signal {} 19", program), kRecoveryAnswer);
-  if (!hung) return tl::unexpected(hung.error());
-  const std::int64_t hung_ns = seen->now_ns;
-  const auto is_back = [&](const BoardView& board) {
-    const auto process = ProcessOf(scene, program);
-    return process && !process->empty() && *process != *before && delivers(board);
-  };
-  const auto back =
-      scene.target.UntilBoard(is_back, kLongestHang, fmt::format("see {} again, which hung", program));
-  if (!back) return tl::unexpected(back.error());
-  return std::chrono::nanoseconds(back->now_ns - hung_ns);
-}
-
-// A program that hangs delivers nothing for ever, unless it is noticed.
-Result<void> Hung(Scene& scene) {
-  const auto input = Hang(scene, "kaori-input", [](const BoardView& board) {
-    return board.surface_live && board.left.live && board.right.live;
-  });
-  if (!input) return tl::unexpected(input.error());
-  const auto lips = Hang(scene, "kaori-lips", [](const BoardView& board) { return board.lips_live; });
-  if (!lips) return tl::unexpected(lips.error());
-  scene.finding.figures["hung_input_back_s"] = Seconds(*input);
-  scene.finding.figures["hung_lips_back_s"] = Seconds(*lips);
-  scene.finding.said =
-      fmt::format("stopped by SIGSTOP, the input program was back after {:.1f} s, the lips after {:.1f} s",
-                  Seconds(*input), Seconds(*lips));
-  return {};
-}
-
 }  // namespace
-
-std::vector<Check> HangChecks() {
-  return {{"hung", "Input and lips that hang are replaced", true, Hung, {}, "kaori-input.service"}};
-}
 
 std::vector<Check> RecoveryChecks() {
   return {{.name = "held",
