@@ -11,6 +11,9 @@ using std::chrono::seconds;
 
 constexpr Duration kCameraLongest = seconds(90);  // For machines that have little of a processor.
 
+// Of what the camera sends, that the lips measure at least.
+constexpr double kLeastMeasured = 0.8;
+
 // The mouth is shut, measured for some seconds, and opened.
 Result<void> Camera(Scene& scene) {
   constexpr double kSeconds = 10;
@@ -26,10 +29,12 @@ Result<void> Camera(Scene& scene) {
   // Frames over the cable and frames on the board are counted over the same
   // stretch of time, by two clocks.
   const std::uint64_t sent = scene.target.rig().camera().frames_begun();
+  const Time began = scene.target.clock().now();
   scene.target.For(FromSeconds(kSeconds));
   const auto later = scene.target.Board();
   if (!later) return tl::unexpected(later.error());
-  const double sent_per_s = static_cast<double>(scene.target.rig().camera().frames_begun() - sent) / kSeconds;
+  const double sent_per_s = static_cast<double>(scene.target.rig().camera().frames_begun() - sent) /
+                            Seconds(scene.target.clock().now() - began);
   const double read_per_s =
       (later->lips_frames - shut->lips_frames) / (static_cast<double>(later->now_ns - shut->now_ns) / 1e9);
   camera.SetMouth(0.9, 1);
@@ -42,6 +47,7 @@ Result<void> Camera(Scene& scene) {
   scene.finding.said =
       fmt::format("{:.1f} frames/s over the cable, {:.1f} measured by the lips", sent_per_s, read_per_s);
   if (!opened) return tl::unexpected(opened.error());
+  if (sent_per_s <= 0 || read_per_s < kLeastMeasured * sent_per_s) return FailInput(scene.finding.said);
   return {};
 }
 

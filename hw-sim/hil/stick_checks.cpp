@@ -20,12 +20,18 @@ using std::chrono::seconds;
 
 constexpr Duration kLongestInstalling = minutes(20);  // At the lowest priority, beside a face that wants all.
 constexpr std::size_t kLargestSupport_bytes = std::size_t{8} << 20U;  // More than the box writes.
-constexpr Duration kRateSpan = seconds(20);
+// Long enough for some dozens of frames of a machine whose processor draws.
+constexpr Duration kRateSpan = seconds(60);
+// Of the face's rate before, that it keeps meanwhile.
+constexpr double kLeastRate = 0.95;
 
-// How many frames a second the stage presents, between two looks at the board; 0 where they do not tell.
+// How many frames a second the stage presents, between two looks at the board; 0 where they do not tell. From the sampling of one
+// frame to that of another: of the looks themselves each would be off by up to a frame.
 double Rate(const Result<BoardView>& from, const Result<BoardView>& to) {
-  if (!from || !to || to->now_ns <= from->now_ns || to->stage.frames < from->stage.frames) return 0;
-  return 1e9 * (to->stage.frames - from->stage.frames) / static_cast<double>(to->now_ns - from->now_ns);
+  if (!from || !to || to->stage.read_ns <= from->stage.read_ns || to->stage.frames < from->stage.frames)
+    return 0;
+  return 1e9 * (to->stage.frames - from->stage.frames) /
+         static_cast<double>(to->stage.read_ns - from->stage.read_ns);
 }
 
 // What the first line of a stick's list does, and by which names it is measured.
@@ -41,17 +47,21 @@ constexpr Bringing kShow{"evening: it ", "it is on the box and plays now", "inst
 constexpr Bringing kUpdate{": it is being ", "it is on the box and waits", "face_rate_while_installing",
                            "update_under_play_s"};
 
-// Until it is on the box. The stage counts anew when it starts with a show: what it counted last
-// before that is the end of the span. The box is asked as often before the installation as during it, since
-// its answers cost an emulated machine more than the installation does.
+// Until it is on the box. With another show the stage ends and another one counts on: what the first one counted last is the end of
+// the span. The box is asked as often before the installation as during it, since its answers cost an emulated machine more than the
+// installation does.
+// Errors: invalid_argument, it is not installed, or the face did not keep its rate.
 Result<void> InstallUnderPlay(Scene& scene, const Bringing& what) {
+  constexpr const char* kStage = "processes kaori-stage";
+  const std::string stage = TextInBox(scene, kStage);
   const auto first = scene.target.Board();
   auto last = first;
   std::string said;
   const auto ask = [&] {
     said = TextInBox(scene, kSaid);
     auto board = scene.target.Board();
-    if (board && last && board->stage.frames >= last->stage.frames) last = std::move(board);
+    // Asked behind the look: while the first stage runs nobody else has counted.
+    if (board && TextInBox(scene, kStage) == stage) last = std::move(board);
     return said.find(what.done) != std::string::npos;
   };
   static_cast<void>(scene.target.Until(ask, kRateSpan));
@@ -60,10 +70,13 @@ Result<void> InstallUnderPlay(Scene& scene, const Bringing& what) {
   if (!scene.target.Until(ask, kLongestInstalling))
     return FailInput("what the stick brings is not installed, but the box says \"" + said + "\"");
   const double before = Rate(first, began), during = Rate(began, last);
-  if (before > 0) scene.finding.figures[what.rate] = during / before;
-  if (began && last)
-    scene.finding.figures[what.took_s] = 1e-9 * static_cast<double>(last->now_ns - began->now_ns);
-  return {};
+  if (before <= 0 || during <= 0)
+    return FailInput(fmt::format("the face's rate is not known: {:.2f} and {:.2f} frames/s", before, during));
+  const double kept = during / before;
+  scene.finding.figures[what.rate] = kept;
+  scene.finding.figures[what.took_s] = 1e-9 * static_cast<double>(last->now_ns - began->now_ns);
+  if (kept >= kLeastRate) return {};
+  return FailInput(fmt::format("the face keeps {:.2f} of its rate meanwhile, and not {}", kept, kLeastRate));
 }
 
 // The key of whoever signed it, then the show.
