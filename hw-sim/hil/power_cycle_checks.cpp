@@ -1,5 +1,6 @@
 // The power of a PC with UEFI is switched off again and again, and in the middle of what its firmware keeps: the slot
 // that starts stays the same, and a face comes.
+#include <algorithm>
 #include <filesystem>
 #include <random>
 
@@ -14,16 +15,36 @@ namespace kaori::hil {
 namespace {
 
 constexpr int kCycles = 20, kVariableCuts = 10;  // For each unit of Scene::effort.
-// From the firmware's first moment to some frames of the show, on a quiet bench; on a busy one a cycle ends earlier in it.
-constexpr double kLongestCycle_s = 15;
+// From the firmware's first moment to some frames of the show: so long on a quiet bench, and so many times the first whole start on
+// a busy one.
+constexpr double kLongestCycle_s = 15, kLongestCycle_starts = 1.2;
 // How long no face may come where none is to come.
 constexpr Duration kNoFace = std::chrono::seconds(60);
 
-// Sectors that a start wrote elsewhere than on the data partition: by the firmware, the loader, the kernel, anybody.
-Result<std::uint64_t> SectorsBesideData(const UpdatedPc& pc) {
+// What a start wrote to its disk.
+struct WrittenByStart {
+  // Elsewhere than on the data partition: by the firmware, the loader, the kernel, anybody.
+  std::uint64_t sectors_beside_data = 0;
+  // A log without it is that of a start that was cut off before, or of a disk that nobody noted the writes of.
+  bool data = false;
+};
+
+Result<WrittenByStart> WrittenBy(const UpdatedPc& pc) {
   const auto data = PartitionSpan(pc.Disk(), "data");
   if (!data) return tl::unexpected(data.error());
-  return WriteLog::Read(pc.DiskLog()).map([&](const WriteLog& log) { return log.SectorsOutside({*data}); });
+  return WriteLog::Read(pc.DiskLog()).map([&](const WriteLog& log) {
+    return WrittenByStart{log.SectorsOutside({*data}), log.WritesInto(*data)};
+  });
+}
+
+// Of a start that came to its face, which mounts the data partition on its way. Errors: invalid_argument, the log shows nothing of
+// that, and so nothing of what lies beside it; or something was written there.
+Result<void> WantNothingBesideData(const UpdatedPc& pc) {
+  const auto written = WrittenBy(pc);
+  if (!written) return tl::unexpected(written.error());
+  if (!written->data) return FailInput("the log of a whole start's writes has none to the data partition");
+  if (written->sectors_beside_data == 0) return {};
+  return FailInput(fmt::format("a start writes {} sectors beside the data", written->sectors_beside_data));
 }
 
 // Whoever looks for a face is given a PC that was switched on with these variables; it is off again afterwards.
@@ -36,16 +57,17 @@ Result<void> WantFaceOf(Scene& scene, const UpdatedPc& pc, const char* when, Dur
 
 // The first start of a PC, in which the firmware lays out what it keeps: no other writes so much of it.
 Result<void> StartWhole(Scene& scene, const UpdatedPc& pc) {
+  const Time began = scene.target.clock().now();
   auto ok = pc.StartNoted(scene);
   if (ok) ok = AwaitUpdateFace(scene, "of a PC's first start");
   if (ok) ok = scene.ShootFace("power-cycles", "The face of a PC's first start");
+  scene.finding.figures["whole_start_s"] = Seconds(scene.target.clock().now() - began);
   scene.target.machine().Off();
   if (!ok) return ok;
-  const auto sectors = SectorsBesideData(pc);
-  if (!sectors) return tl::unexpected(sectors.error());
-  scene.finding.figures["start_sectors_written"] = static_cast<double>(*sectors);
-  return *sectors == 0 ? Result<void>{}
-                       : FailInput(fmt::format("a start writes {} sectors beside the data", *sectors));
+  const auto written = WrittenBy(pc);
+  if (!written) return tl::unexpected(written.error());
+  scene.finding.figures["start_sectors_written"] = static_cast<double>(written->sectors_beside_data);
+  return WantNothingBesideData(pc);
 }
 
 // Cuts after so many writes of the first start's firmware, each of them a few bytes of its flash. Half of the points
@@ -75,40 +97,48 @@ Result<void> CutVariables(Scene& scene, const UpdatedPc& pc) {
   return {};
 }
 
-// Disk and variables are kept from each cycle to the next.
+// Disk and variables are kept from each cycle to the next. Some are cut off before anything is written; the last start is a whole
+// one, whose log must show that writes are noted.
 Result<void> CyclePower(Scene& scene, const UpdatedPc& pc) {
   auto& figures = scene.finding.figures;
-  std::uniform_real_distribution<double> long_s(0, kLongestCycle_s);
+  std::uniform_real_distribution<double> long_s(
+      0, std::max(kLongestCycle_s, kLongestCycle_starts * figures["whole_start_s"]));
   for (int n = 0; n < kCycles * scene.effort; ++n) {
     if (auto ok = pc.StartNoted(scene); !ok) return ok;
     scene.target.For(
         std::chrono::duration_cast<Duration>(std::chrono::duration<double>(long_s(scene.chance))));
     scene.target.machine().Off();
-    const auto sectors = SectorsBesideData(pc);
-    if (!sectors) return tl::unexpected(sectors.error());
+    const auto written = WrittenBy(pc);
+    if (!written) return tl::unexpected(written.error());
     figures["power_cycles"] += 1;
-    if (*sectors == 0 && pc.Default() == 'a') continue;
+    figures["power_cycles_with_writes"] += written->data ? 1 : 0;
+    if (written->sectors_beside_data == 0 && pc.Default() == 'a') continue;
     figures["slot_flips"] += 1;
     return FailInput(fmt::format("cycle {}: {} sectors beside the data were written, and slot {} starts", n,
-                                 *sectors, pc.Default()));
+                                 written->sectors_beside_data, pc.Default()));
   }
-  return WantFaceOf(scene, pc, "after the power went many times", kLongestUpdateStart);
+  if (figures["power_cycles_with_writes"] == 0) return FailInput("no cycle came to write anything");
+  auto ok = pc.StartNoted(scene);
+  if (ok) ok = AwaitUpdateFace(scene, "after the power went many times");
+  scene.target.machine().Off();
+  return ok ? WantNothingBesideData(pc) : ok;
 }
 
 Result<void> PowerCycles(Scene& scene) {
   const auto pc = UpdatedPc::Make(scene);
   if (!pc) return tl::unexpected(pc.error());
   auto& figures = scene.finding.figures;
-  for (const char* none : {"variable_cuts", "variable_cuts_dead", "power_cycles", "slot_flips"})
+  for (const char* none :
+       {"variable_cuts", "variable_cuts_dead", "power_cycles", "power_cycles_with_writes", "slot_flips"})
     figures[none] = 0;
   auto ok = StartWhole(scene, *pc);
   if (ok) ok = CutVariables(scene, *pc);
   if (ok) ok = CyclePower(scene, *pc);
   scene.finding.said = fmt::format(
       "a start wrote nothing beside the data; {:.0f} cuts in {:.0f} writes of the firmware left a face each; "
-      "after "
-      "{:.0f} switchings the same slot starts",
-      figures["variable_cuts"], figures["variable_writes"], figures["power_cycles"]);
+      "after {:.0f} switchings, of which {:.0f} came to write, the same slot starts",
+      figures["variable_cuts"], figures["variable_writes"], figures["power_cycles"],
+      figures["power_cycles_with_writes"]);
   return ok;
 }
 

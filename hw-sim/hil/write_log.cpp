@@ -57,6 +57,12 @@ Result<WriteLog> WriteLog::Read(const std::string& path) {
   return WriteLog(path, std::move(entries));
 }
 
+// A flush lies nowhere.
+bool WriteLog::WritesInto(const DiskSpan& span) const {
+  return std::ranges::any_of(entries_,
+                             [&](const auto& write) { return write.bytes > 0 && span.Holds(write); });
+}
+
 std::uint64_t WriteLog::SectorsOutside(const std::vector<DiskSpan>& spans) const {
   std::uint64_t sectors = 0;
   for (const LoggedWrite& write : entries_)

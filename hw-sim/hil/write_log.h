@@ -35,6 +35,8 @@ class WriteLog {
   static Result<WriteLog> Read(const std::string& file);
 
   const std::vector<LoggedWrite>& entries() const { return entries_; }
+  // Whether anything was written wholly within the span. Pure.
+  bool WritesInto(const DiskSpan& span) const;
   // Sectors of 512 bytes of the writes that lie wholly in none of the spans. Pure.
   std::uint64_t SectorsOutside(const std::vector<DiskSpan>& spans) const;
 

@@ -99,6 +99,17 @@ TEST_F(WriteLogs, OfAMachineThatWasKilledBeforeItsFirstFlushHaveNoHead) {
   EXPECT_EQ(Read().value().entries().size(), 1U);
 }
 
+TEST_F(WriteLogs, TellWhetherASpanWasWrittenAtAll) {
+  AddFlush();
+  AddDiscard();
+  AddWrite(2, "ab");
+  const auto log = Read();
+  ASSERT_TRUE(log);
+  EXPECT_TRUE(log->WritesInto({2 * kSector_bytes, 2 * kSector_bytes}));
+  EXPECT_FALSE(log->WritesInto({0, 2 * kSector_bytes})) << "a flush is no write";
+  EXPECT_FALSE(log->WritesInto({3 * kSector_bytes, kSector_bytes})) << "half of a write lies there";
+}
+
 TEST_F(WriteLogs, TellWhatLiesBesideTheSpans) {
   AddWrite(0, "ab");
   AddWrite(2, "c");
