@@ -1,6 +1,7 @@
 // Sound in and out: by the machine's own card, whose loudspeaker the bench hears, and by a loop in the kernel
 // through which a voice speaks to the box.
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -45,21 +46,49 @@ std::vector<std::string> CardsOf(Scene& scene, const std::string& kind) {
   return numbers;
 }
 
-// How much what the card's loudspeaker has played so far is like the voice
-// (sim::Likeness); 0 where nothing was played.
-double HeardVoice(Scene& scene) {
-  const auto heard = sim::ReadWav(SoundPath(scene.target.machine().options()));
-  return heard ? sim::Likeness(sim::SayVowels(seconds(kVoiceSeconds)), *heard) : 0;
+// What the card's loudspeaker plays from now on. Its record holds all that was played since power came, also by the checks before
+// and by this one before its control. Borrows the scene.
+class Loudspeaker {
+ public:
+  explicit Loudspeaker(Scene& scene) : scene_(scene), before_(Played().size()) {}
+
+  // How much it is like the voice (sim::Likeness); 0 where nothing was played.
+  double HeardVoice() const {
+    const auto played = Played();
+    const auto since = std::span(played).subspan(std::min(before_, played.size()));
+    return sim::Likeness(sim::SayVowels(seconds(kVoiceSeconds)), since);
+  }
+
+ private:
+  // None where the card has not been opened yet.
+  std::vector<std::int16_t> Played() const {
+    return sim::ReadWav(SoundPath(scene_.target.machine().options())).value_or(std::vector<std::int16_t>{});
+  }
+
+  Scene& scene_;
+  std::size_t before_;
+};
+
+// The box's own program hears the microphone: it goes on hearing between two looks.
+Result<void> WantHearing(Scene& scene) {
+  const auto there = [](const BoardView& board) { return board.voice_live && board.voice_blocks > 0; };
+  const auto first = scene.target.UntilBoard(there, kSoundLongest, "see that the box hears its microphone");
+  if (!first) return tl::unexpected(first.error());
+  const auto more = [&](const BoardView& board) {
+    return board.voice_live && board.voice_blocks > first->voice_blocks;
+  };
+  const auto later = scene.target.UntilBoard(more, kSoundLongest, "see that it hears more");
+  if (!later) return tl::unexpected(later.error());
+  return {};
 }
 
 // By tools of ALSA in the guest, and by a recording of what QEMU's card was given: a card that only pretends
 // to play is found.
 Result<void> Sound(Scene& scene) {
+  const Loudspeaker loudspeaker(scene);
   const auto cards = CardsOf(scene, "HDA-Intel");  // As QemuCommand has them: loudspeaker, microphone.
   if (cards.size() < 2) return scene.Skip("the kernel does not show both sound cards");
-  const auto hears = [](const BoardView& board) { return board.voice_live && board.voice_blocks > 0; };
-  if (auto ok = scene.target.UntilBoard(hears, kSoundLongest, "see that the box hears its microphone"); !ok)
-    return tl::unexpected(ok.error());
+  if (auto ok = WantHearing(scene); !ok) return ok;
   // Nobody else may have the cards meanwhile.
   const PausedUnit others(scene, "kaori-lips.service");
   if (auto ok = Ask(
@@ -68,14 +97,14 @@ Result<void> Sound(Scene& scene) {
       !ok)
     return ok;
   // The control within the check: before a voice is played none is heard.
-  const double before = HeardVoice(scene);
+  const double before = loudspeaker.HeardVoice();
   if (before >= kLike) return FailInput("a voice is heard before one speaks");
   static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
   for (const std::string& question : {fmt::format("voice {} {}", kVoice, kVoiceSeconds),
                                       // "plughw" converts the voice's one channel to the card's two.
                                       fmt::format("tool aplay -q -D plughw:{},0 {}", cards[0], kVoice)})
     if (auto ok = Ask(scene, question); !ok) return ok;
-  const double after = HeardVoice(scene);
+  const double after = loudspeaker.HeardVoice();
   scene.finding.said = fmt::format(
       "the box hears its microphone; a second recorded; a voice played, and heard at the card's loudspeaker "
       "({:.2f} like it; {:.2f} "
@@ -112,6 +141,7 @@ Result<void> AwaitEar(Scene& scene, std::uint32_t blocks_before) {
 // The voice speaks into the loop, or nobody does. Errors: invalid_argument, the mouth or the loudspeaker does
 // not follow.
 Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
+  const Loudspeaker loudspeaker(scene);
   if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
   // What is played into one side of the loop is heard at the other.
   Result<std::string> speaker;
@@ -123,7 +153,7 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
   const auto moved = [&](const BoardView& board) {
     mouth.See(board);
     // Likeness is asked last, since it reads a file that grows.
-    return mouth.spoke && mouth.most - mouth.least >= kOpen && HeardVoice(scene) >= kLike;
+    return mouth.spoke && mouth.most - mouth.least >= kOpen && loudspeaker.HeardVoice() >= kLike;
   };
   const auto heard = scene.target.UntilBoard(moved, speaks ? kSoundLongest : kSilence,
                                              "see the mouth follow the voice, and hear it");
@@ -131,10 +161,10 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
   if (speaks)
     scene.finding.texts.emplace_back(
         "aplay", scene.target.agent().Ask("end " + *speaker, kSoundAnswer).value_or("it said nothing"));
-  scene.finding.figures["voice_heard_likeness"] = HeardVoice(scene);
+  scene.finding.figures["voice_heard_likeness"] = loudspeaker.HeardVoice();
   scene.finding.said =
       fmt::format("the mouth moved from {:.2f} to {:.2f}, {:.0f} dB; at the loudspeaker {:.2f} like it",
-                  mouth.least, mouth.most, mouth.loudest_db, HeardVoice(scene));
+                  mouth.least, mouth.most, mouth.loudest_db, loudspeaker.HeardVoice());
   if (!heard) return FailInput(heard.error().message() + "; " + scene.finding.said);
   return {};
 }
