@@ -1,4 +1,5 @@
 // A box's backup on a real stick makes a second box of another one, whose data partition is empty.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -15,6 +16,11 @@ namespace {
 constexpr Duration kLongestCopy =
     std::chrono::minutes(20);  // At the lowest priority, beside a face that wants all.
 constexpr const char* kNumber = "read /etc/machine-id";
+// What a box plays (appliance/core/store/play_log.h), and where its data partition is.
+constexpr const char* kPlays = "read /run/kaori/plays";
+constexpr std::string_view kData = "/var/lib/kaori/", kBroughtKeys = "settings/keys/";
+// Of the stick that the check leaves in its folder, for its control.
+constexpr const char* kBackupStick = "backup";
 
 // What the first box shows: its show and its number.
 struct First {
@@ -37,19 +43,60 @@ Result<First> BackUp(Scene& scene) {
     return tl::unexpected(ok.error());
   const auto show = ChosenId(scene);
   if (!show) return tl::unexpected(show.error());
-  const auto stick = PlugEmptyStick(scene, "backup");
+  const auto stick = PlugEmptyStick(scene, kBackupStick);
   if (!stick) return tl::unexpected(stick.error());
   if (auto ok = ChooseLine(scene, "backup of this box", "the backup is on the stick", kLongestCopy); !ok)
     return tl::unexpected(ok.error());
   return First{*show, TextInBox(scene, kNumber), *stick};
 }
 
-// Everything is listed before anybody agrees, and done at the next start.
-Result<void> Restore(Scene& scene, const First& first) {
-  if (auto ok = scene.target.machine().PlugStick(first.stick, true); !ok) return ok;
-  if (auto ok = ChooseLine(scene, "restore kaori-", "nothing has changed yet", kLongestCopy); !ok) return ok;
-  if (auto ok = WantStickSaid(scene, "new     settings/keys/", std::chrono::seconds(5)); !ok) return ok;
-  return ChooseLine(scene, "yes, restore this", "switch the box off and on", kLongestCopy);
+// Whether the box has a file. Errors: those of the agent, but for its own message, which says that there is none.
+Result<bool> IsOnBox(Scene& scene, const std::string& file) {
+  const auto read = scene.target.agent().Ask("read " + file, kLongestReading);
+  if (read) return true;
+  if (read.error().cause == std::errc::invalid_argument) return false;
+  return tl::unexpected(read.error());
+}
+
+// Wants the file on the box, or not.
+Result<void> WantOnBox(Scene& scene, const std::string& file, bool there) {
+  const auto found = IsOnBox(scene, file);
+  if (!found) return tl::unexpected(found.error());
+  if (*found == there) return {};
+  return FailInput(fmt::format("{} is {} the box", file, there ? "not on" : "on"));
+}
+
+// Plugs the backup in and goes up to the question, at which everything is listed and nothing has changed. Gives the file of the
+// first box's key, as the list names it.
+Result<std::string> ListRestore(Scene& scene, const std::string& stick) {
+  constexpr std::string_view kNewKey = "new     settings/keys/";
+  if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return tl::unexpected(ok.error());
+  if (auto ok = ChooseLine(scene, "restore kaori-", "nothing has changed yet", kLongestCopy); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = WantStickSaid(scene, kNewKey, std::chrono::seconds(5)); !ok)
+    return tl::unexpected(ok.error());
+  const std::string said = TextInBox(scene, kSaid);
+  const std::size_t at = std::min(said.find(kBroughtKeys), said.size());
+  std::string key = std::string(kData) + said.substr(at, said.find_first_of(" \n", at) - at);
+  if (!key.ends_with(".pub")) return FailInput("the list names no key: " + said);
+  if (auto ok = WantOnBox(scene, key, false); !ok) return tl::unexpected(ok.error());
+  return key;
+}
+
+// Everything is listed before anybody agrees, and done at the next start. Gives the file of the first box's key.
+Result<std::string> Restore(Scene& scene, const First& first) {
+  auto key = ListRestore(scene, first.stick);
+  if (!key) return key;
+  if (auto ok = ChooseLine(scene, "yes, restore this", "switch the box off and on", kLongestCopy); !ok)
+    return tl::unexpected(ok.error());
+  return key;
+}
+
+// Both must tell theirs: nothing said twice would be one number, and nothing said once another.
+Result<void> WantOtherNumber(Scene& scene, const First& first) {
+  const std::string number = TextInBox(scene, kNumber);
+  if (number.empty() || first.number.empty()) return FailInput("a box does not tell its number");
+  return number == first.number ? FailInput("two boxes have one number") : Result<void>{};
 }
 
 // The key is turned off in each case, since the next check finds the bridge as it was left.
@@ -66,14 +113,17 @@ auto WithKey(Scene& scene, const Work& work) {
 Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk, const First& first) {
   auto ok = box.Play(StickSetup(disk));
   const auto begun = std::chrono::steady_clock::now();
-  if (ok) ok = WithKey(scene, [&] { return Restore(scene, first); });
+  const auto key = ok ? WithKey(scene, [&] { return Restore(scene, first); })
+                      : Result<std::string>(tl::unexpected(ok.error()));
+  if (!key) ok = tl::unexpected(key.error());
   box.Off();
   if (ok) ok = box.Play(StickSetup(disk));
   if (ok) ok = WantPlayed(scene, first.show);
   if (ok)
     scene.finding.figures["clone_minutes"] =
         std::chrono::duration<double, std::ratio<60>>(std::chrono::steady_clock::now() - begun).count();
-  if (ok && TextInBox(scene, kNumber) == first.number) ok = FailInput("two boxes have one number");
+  if (ok) ok = WantOnBox(scene, *key, true);
+  if (ok) ok = WantOtherNumber(scene, first);
   if (ok) ok = scene.ShootFace("backup", "A second box, made by the backup of the first one");
   box.Off();
   return ok;
@@ -101,12 +151,40 @@ Result<void> Backup(Scene& scene) {
   return ok;
 }
 
-// The control: without a yes the next start changes nothing.
-Result<void> NothingIsRestoredWithoutABackup(Scene& scene) {
-  PlayStrategy box(scene.target);
-  auto ok = box.Play(StickSetup(""));
-  if (ok) ok = WantFoundWrong(WantPlayed(scene, std::string(64, '0')), "a show plays that nobody brought");
+// The id of the show that the stage plays. Errors: invalid_argument, it notes none.
+Result<std::string> PlayingId(Scene& scene) {
+  constexpr std::string_view kWord = "playing ";
+  const std::string plays = TextInBox(scene, kPlays);
+  const std::size_t at = plays.find(kWord);
+  if (at == std::string::npos)
+    return FailInput("the stage does not say what it plays, but \"" + plays + "\"");
+  return plays.substr(at + kWord.size(), plays.find('\n', at) - at - kWord.size());
+}
+
+// One start up to the question, which nobody answers, and another one.
+Result<void> WantUnchanged(Scene& scene, PlayStrategy& box, const std::string& disk) {
+  const std::string stick =
+      std::filesystem::path(scene.folder).parent_path() / (std::string(kBackupStick) + ".stick");
+  if (auto ok = box.Play(StickSetup(disk)); !ok) return ok;
+  const auto show = PlayingId(scene);
+  if (!show) return tl::unexpected(show.error());
+  const auto key = WithKey(scene, [&] { return ListRestore(scene, stick); });
+  if (!key) return tl::unexpected(key.error());
   box.Off();
+  if (auto ok = box.Play(StickSetup(disk)); !ok) return ok;
+  if (auto ok = WantPlayed(scene, *show); !ok) return ok;
+  return WantOnBox(scene, *key, false);
+}
+
+// The control: without a yes the next start changes nothing, on a box that has read all of the check's own backup.
+Result<void> NothingIsRestoredWithoutAYes(Scene& scene) {
+  const QemuOptions& options = scene.target.machine().options();
+  const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "second.disk", "data");
+  if (!disk) return tl::unexpected(disk.error());
+  PlayStrategy box(scene.target);
+  auto ok = WantUnchanged(scene, box, disk->file);
+  box.Off();
+  std::filesystem::remove(disk->file);
   return ok;
 }
 
@@ -120,7 +198,7 @@ std::vector<Check> BackupChecks() {
            Backup,
            StickSetup(""),
            {},
-           NothingIsRestoredWithoutABackup,
+           NothingIsRestoredWithoutAYes,
            true}};
 }
 
