@@ -91,26 +91,43 @@ Result<void> PlugOutputs(Scene& scene) {
   return scene.WantNoRestart();
 }
 
-// Of the status display, which is on the second screen.
+// The show's screen, and that of the status display.
+constexpr int kShowHead = 0, kStatusHead = 1;
+
+// Of a status display.
 struct Marks {
   int missing = 0, there = 0;
 };
 
-// The status is read from its colours on the second screen: amber marks are what is missing, green ones what
-// is there.
-Result<Marks> CountStatus(Scene& scene) {
+// A status is read from its colours on a screen: amber marks are what is missing, green ones what is there.
+Result<Marks> CountStatus(Scene& scene, int head) {
   const std::string file = scene.folder + "/status-now.png";
-  if (auto ok = scene.target.machine().Shoot(1, file); !ok) return tl::unexpected(ok.error());
+  if (auto ok = scene.target.machine().Shoot(head, file); !ok) return tl::unexpected(ok.error());
   const auto amber = CountMarks(file, kAmber), green = CountMarks(file, kGreen);
   if (!amber || !green) return tl::unexpected(amber ? green.error() : amber.error());
   return Marks{*amber, *green};
+}
+
+// Errors: invalid_argument, the screen shows marks of a status.
+Result<void> WantNoStatus(Scene& scene, int head) {
+  const auto marks = CountStatus(scene, head);
+  if (!marks) return tl::unexpected(marks.error());
+  if (marks->missing + marks->there == 0) return {};
+  return FailInput(
+      fmt::format("screen {} shows {} marks of a status", head + 1, marks->missing + marks->there));
+}
+
+// The show's screen has none; the one with the status is found to have some by the same look.
+Result<void> WantStatusOnItsOwnScreen(Scene& scene) {
+  if (auto ok = WantNoStatus(scene, kShowHead); !ok) return ok;
+  return WantFoundWrong(WantNoStatus(scene, kStatusHead), "marks of the status are not seen where it is");
 }
 
 // The status is drawn a part of it in each frame, so that a picture in between is not what it will be: it is looked at
 // again until it is right. Errors: timed_out, with `what` was awaited.
 Result<void> AwaitStatus(Scene& scene, const std::function<bool(const Marks&)>& right, const char* what) {
   const auto seen = [&] {
-    const auto marks = CountStatus(scene);
+    const auto marks = CountStatus(scene, kStatusHead);
     return marks && right(*marks);
   };
   return scene.target.Await(seen, kLongestPicture, what);
@@ -128,7 +145,8 @@ Result<void> ShootBoth(Scene& scene, const char* when) {
 
 // The keyboard is unplugged: the second screen says so, and the show's own does not.
 Result<void> UnplugKeyboard(Scene& scene) {
-  const auto before = CountStatus(scene);
+  if (auto ok = WantStatusOnItsOwnScreen(scene); !ok) return ok;
+  const auto before = CountStatus(scene, kStatusHead);
   if (!before) return tl::unexpected(before.error());
   if (auto ok = ShootBoth(scene, "with a keyboard"); !ok) return ok;
   const Time unplugged = scene.target.clock().now();
@@ -139,13 +157,15 @@ Result<void> UnplugKeyboard(Scene& scene) {
   if (auto ok = AwaitStatus(scene, gone, "see that the keyboard is said to be gone"); !ok) return ok;
   const double said_s = Seconds(scene.target.clock().now() - unplugged);
   scene.finding.figures["status_says_s"] = said_s;
+  if (auto ok = WantStatusOnItsOwnScreen(scene); !ok) return ok;
   if (auto ok = ShootBoth(scene, "without it"); !ok) return ok;
   const auto& pictures = scene.finding.pictures;
   const auto apart =
       MeanDifference(scene.folder + "/" + pictures[1].file, scene.folder + "/" + pictures[3].file);
   if (!apart) return tl::unexpected(apart.error());
   scene.finding.said = fmt::format(
-      "an unplugged keyboard is named after {:.1f} s; the show's screen changed by {:.3f} (at most {})",
+      "an unplugged keyboard is named after {:.1f} s; the show's screen has no mark of the status, and "
+      "changed by {:.3f} (at most {})",
       said_s, *apart, kFaceStays);
   return *apart < kFaceStays ? Result<void>{} : FailInput(scene.finding.said);
 }
