@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <utility>
 #include <variant>
 
+#include "hw-sim/hil/kernel_fault.h"
 #include "hw-sim/hil/paused_unit.h"
 #include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/unplugged_device.h"
@@ -17,8 +19,10 @@ constexpr Duration kLongestTrace = std::chrono::seconds(60);
 
 // What helps to find out why.
 // The first word of each pair is the heading in the report, the second the question to the agent.
+constexpr const char* kFaultsQuestion = "faults";
 constexpr std::pair<const char*, const char*> kTraces[] = {
     {"the board", "board"},
+    {"the kernel's faults", kFaultsQuestion},
     {"the box's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 300"},
     {"its devices", "usb"}};
 
@@ -29,6 +33,9 @@ constexpr Duration kControlPatience = std::chrono::seconds(20);
 
 // A fade on a machine whose processor draws, and the frames after it.
 constexpr Duration kLongestLeaving = std::chrono::seconds(120);
+
+// An agent may still be busy with a question that nobody waits for any more.
+constexpr Duration kLongestFaults = std::chrono::minutes(5);
 
 // Enough for the box to notice that a device is gone.
 constexpr Duration kNoticesLoss = std::chrono::seconds(2);
@@ -71,6 +78,8 @@ ReportedCheck CheckRunner::Run(const Check& check) {
   if (ok) ok = RunWatched(check, scene);
   if (ok && options_.controls && finding.verdict == Verdict::kPassed) ok = Control(check, finding);
   if (ok && finding.verdict == Verdict::kPassed && IsShared(check)) ok = LeavesAFace();
+  // Before the box may be switched off: what is not read now is said of no check.
+  if (ok && HasAgent(check)) ok = WantNoKernelFault();
   finding.took_s = Seconds(target_.clock().now() - began);
   if (ok) return reported;
   finding.verdict = Verdict::kFailed;
@@ -138,6 +147,18 @@ Result<void> CheckRunner::LeavesAFace() {
   return seen ? seen : FailInput("it passed, but leaves the next check a screen without a face");
 }
 
+// Each fault is told once: those before this check were told of the check before.
+Result<void> CheckRunner::WantNoKernelFault() {
+  // A machine that its watchdog has reset is gone with its log.
+  if (!target_.machine().runs()) return {};
+  const auto faults = target_.agent().Ask(kFaultsQuestion, kLongestFaults);
+  if (!faults) return tl::unexpected(faults.error());
+  std::istringstream lines(*faults);
+  for (std::string line; std::getline(lines, line);)
+    if (line != kPlantedFault) return FailInput("the kernel says: " + line);
+  return {};
+}
+
 // A check that passes although what it looks for was taken away finds nothing: it fails then.
 Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
   // What the control finds is not the check's: it goes into a finding that nobody sees.
@@ -192,7 +213,7 @@ void CheckRunner::AddTraces(const std::string& check, Finding& finding) {
   finding.texts.emplace_back("QEMU's log", target_.machine().log());
   // A box that does not answer gives no text; the report then has QEMU's log alone.
   for (const auto& [name, question] : kTraces)
-    if (const auto told = target_.agent().Ask(question, kLongestTrace))
+    if (const auto told = target_.agent().Ask(question, kLongestTrace); told && !told->empty())
       finding.texts.emplace_back(name, *told);
 }
 

@@ -62,6 +62,8 @@ class CheckRunner {
   Result<void> FailsWithout(const Check& check, Scene& scene);
   // Errors: invalid_argument, the box that the check leaves draws no more, or shows no face; those of the board.
   Result<void> LeavesAFace();
+  // Errors: invalid_argument, the kernel of the box has told of a fault of its own since the check before; those of the agent.
+  Result<void> WantNoKernelFault();
   // What a check works with, for this finding.
   Scene SceneOf(Finding& finding);
   // Adds the last picture and the logs to the finding; what cannot be had is left out.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/kernel_fault.h"
 
 namespace kaori::hil {
 namespace {
@@ -89,7 +90,8 @@ Result<void> DamagedSticks(Scene& scene) {
 // The control: a fault of the kernel during a batch is found, and so is a batch that gives no answer in time.
 Result<void> FaultsAreSeen(Scene& scene) {
   Damaged planted;
-  if (auto said = scene.target.agent().Ask("write /dev/kmsg BUG:planted", kLongestBatch); !said)
+  if (auto said = scene.target.agent().Ask(fmt::format("write /dev/kmsg {}", kPlantedFault), kLongestBatch);
+      !said)
     return tl::unexpected(said.error());
   if (auto ok = TryBatch(scene, 0, kOneBatch, kLongestBatch, planted); !ok) return ok;
   if (auto ok = WantFoundWrong(Judge(planted, kOneBatch), "a fault of the kernel is not seen"); !ok)

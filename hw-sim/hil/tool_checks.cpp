@@ -106,9 +106,10 @@ Result<void> KernelWithoutFault(Scene& scene) {
   return {};
 }
 
-// A fault that is planted in the log is found. It stays there: nothing else reads it.
+// A fault that is planted in the log is found. It stays there: whoever else reads the log knows it.
 Result<void> PlantedFault(Scene& scene) {
-  const auto planted = scene.target.agent().Ask("write /dev/kmsg BUG:planted", kToolLongest);
+  const auto planted =
+      scene.target.agent().Ask(fmt::format("write /dev/kmsg {}", kPlantedFault), kToolLongest);
   if (!planted) return tl::unexpected(planted.error());
   return WantFoundWrong(KernelWithoutFault(scene), "a fault in the kernel's log is not seen");
 }

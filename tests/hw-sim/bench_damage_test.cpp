@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/hil/agent/damage.h"
-#include "tests/hil/agent/damaged_disks.h"
+#include "tests/hil/agent/kernel_log.h"
 
 namespace kaori::agent {
 namespace {
@@ -73,6 +73,11 @@ TEST(KernelLog, ARecordOfAFaultIsToldFromOthers) {
             "WARNING: CPU: 0 PID: 1 at fs/fat/inode.c:7");
   EXPECT_EQ(FaultIn("3,9,5,-;INFO: task mount:61 blocked for more than 120 seconds.\n"),
             "INFO: task mount:61 blocked for more than 120 seconds.");
+  EXPECT_EQ(FaultIn("0,9,5,-;watchdog: BUG: soft lockup - CPU#1 stuck for 22s! [kaori-stage:61]\n"),
+            "watchdog: BUG: soft lockup - CPU#1 stuck for 22s! [kaori-stage:61]");
+  EXPECT_EQ(FaultIn("3,9,5,-;rcu: INFO: rcu_preempt detected stalls on CPUs/tasks:\n"),
+            "rcu: INFO: rcu_preempt detected stalls on CPUs/tasks:");
+  EXPECT_EQ(FaultIn("6,9,5,-;rcu: Hierarchical RCU implementation.\n"), "");
   EXPECT_EQ(FaultIn("12,813,97332,-;BUG:planted\n"), "BUG:planted");
   EXPECT_EQ(FaultIn("3,814,97333,-;FAT-fs (ram0): error, invalid access to FAT (entry 0x0000BUG:)\n"), "");
   EXPECT_EQ(FaultIn("no record"), "");

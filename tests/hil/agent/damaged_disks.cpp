@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include "drivers/base/read_file.h"
-#include "hw-sim/hil/kernel_fault.h"
 #include "tests/hil/agent/damage.h"
 
 namespace kaori::agent {
@@ -115,30 +114,7 @@ Result<void> Unmount() {
   return FailErrno(std::string("unmount ") + kAt);
 }
 
-// All records that have come since the last look. A log that was overrun goes on with what it has.
-std::string NextFault(int log) {
-  std::array<char, 8192> record;
-  std::string fault;
-  while (true) {
-    const ssize_t got = ::read(log, record.data(), record.size());
-    if (got < 0 && errno == EPIPE) continue;
-    if (got <= 0) return fault;
-    if (fault.empty()) fault = FaultIn(std::string(record.data(), static_cast<std::size_t>(got)));
-  }
-}
-
 }  // namespace
-
-std::string FaultIn(const std::string& record) {
-  // Besides: a driver that hangs, or ends its program, where nothing else keeps the machine busy for so long.
-  constexpr std::array<std::string_view, 3> kAlso{"Oops", "INFO: task ", "rcu: INFO:"};
-  const std::size_t at = record.find(';');
-  if (at == std::string::npos) return {};
-  const std::string text = record.substr(at + 1, record.find('\n', at) - at - 1);
-  const bool also =
-      std::ranges::any_of(kAlso, [&](std::string_view begin) { return text.starts_with(begin); });
-  return also || hil::TellsOfKernelFault(text) ? text : std::string();
-}
 
 // Synchronised by unmounting: the memory disk then holds all that was written.
 Result<void> DamagedDisks::Fill(Kind& kind) {
@@ -162,12 +138,11 @@ Result<void> DamagedDisks::Fill(Kind& kind) {
 }
 
 Result<DamagedDisks> DamagedDisks::Make() {
-  UniqueFd log(::open("/dev/kmsg", O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!log.valid()) return FailErrno("open /dev/kmsg");
-  ::lseek(log.get(), 0, SEEK_END);
+  auto log = KernelLog::Open(KernelLog::From::kNow);
+  if (!log) return tl::unexpected(log.error());
   std::error_code error;
   fs::create_directories(kAt, error);
-  DamagedDisks made(std::move(log));
+  DamagedDisks made(std::move(*log));
   for (Kind& kind : made.kinds_)
     if (auto ok = Fill(kind); !ok) return tl::unexpected(ok.error());
   return made;
@@ -190,8 +165,8 @@ Result<std::string> DamagedDisks::Try(std::uint64_t first, std::uint64_t count) 
       all.bytes += seen.bytes;
       if (auto ok = Unmount(); !ok) return tl::unexpected(ok.error());
     }
-    if (const std::string next = NextFault(log_.get()); fault.empty() && !next.empty())
-      fault = fmt::format(" fault image {}: {}", number, next);
+    if (const auto faults = log_.NewFaults(); fault.empty() && !faults.empty())
+      fault = fmt::format(" fault image {}: {}", number, faults.front());
   }
   return fmt::format("tried {} mounted {} entries {} bytes {}{}", count, mounted, all.entries, all.bytes,
                      fault);

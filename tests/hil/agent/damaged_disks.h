@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drivers/base/result.h"
-#include "drivers/base/unique_fd.h"
+#include "tests/hil/agent/kernel_log.h"
 
 namespace kaori::agent {
 
@@ -32,18 +32,14 @@ class DamagedDisks {
     std::vector<std::uint8_t> filled{};
   };
 
-  explicit DamagedDisks(UniqueFd log) : log_(std::move(log)) {}
+  explicit DamagedDisks(KernelLog log) : log_(std::move(log)) {}
   static Result<void> Fill(Kind& kind);
 
-  UniqueFd log_;
+  KernelLog log_;
   std::array<Kind, 4> kinds_{Kind{"/usr/share/kaori/fat12.img", "vfat"},
                              {"/usr/share/kaori/fat16.img", "vfat"},
                              {"/usr/share/kaori/fat32.img", "vfat"},
                              {"/usr/share/kaori/exfat.img", "exfat"}};
 };
-
-// The first record of a kernel's log, as /dev/kmsg gives them, that tells of a fault of the kernel itself;
-// empty where `record` does not. Pure.
-std::string FaultIn(const std::string& record);
 
 }  // namespace kaori::agent

@@ -14,6 +14,8 @@
 //   said NUMBER                  by a program that was started, so far
 //   end NUMBER                   ends it; what it said
 //   usb                          its devices, and whether each is authorised
+//   faults                       what the kernel's log has told of faults of its own since the last such question, a line each; at
+//                                first since its start
 //   voice PATH SECONDS           writes a voice as a WAV file of the bench's disk
 //   processes NAME               their numbers
 //   signal NAME NUMBER           to every process of that name
@@ -33,6 +35,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "appliance/core/board/board.h"
@@ -44,6 +47,7 @@
 #include "tests/hil/agent/board_json.h"
 #include "tests/hil/agent/damaged_disks.h"
 #include "tests/hil/agent/first_program.h"
+#include "tests/hil/agent/kernel_log.h"
 #include "tests/hil/agent/serial_line.h"
 #include "tests/hil/agent/simulated_dials.h"
 #include "tests/hil/agent/usb_view.h"
@@ -78,6 +82,7 @@ class Agent {
     if (verb == "hello") return "kaori-hil-agent";
     if (verb == "clock") return std::to_string(clock_.now().time_since_epoch().count());
     if (verb == "voice" && words.size() == 2) return Voice(words);
+    if (verb == "faults") return Faults();
     if (verb == "usb") return kaori::agent::UsbDevices("/sys/bus/usb/devices");
     if (verb == "tool") return kaori::agent::RunIn(roots_.bench.get(), words, kLongestTool);
     if (verb == "own") return kaori::agent::RunIn(roots_.box.get(), words, kLongestTool);
@@ -113,6 +118,16 @@ class Agent {
     if (!board) return tl::unexpected(board.error());
     if (words.empty()) return kaori::agent::BoardAsJson(*board, clock_);
     return kaori::agent::WatchEvents(*board, clock_, std::chrono::milliseconds(std::atoi(words[0].c_str())));
+  }
+
+  // Opened with the first question: the records wait in the kernel.
+  Result<std::string> Faults() {
+    if (!kernel_) {
+      auto opened = kaori::agent::KernelLog::Open(kaori::agent::KernelLog::From::kOldestRecord);
+      if (!opened) return tl::unexpected(opened.error());
+      kernel_.emplace(std::move(*opened));
+    }
+    return fmt::format("{}", fmt::join(kernel_->NewFaults(), "\n"));
   }
 
   static Result<std::string> Voice(const Words& words) {
@@ -191,6 +206,7 @@ class Agent {
   kaori::agent::Started started_;
   std::unique_ptr<kaori::ports::GpioLines> lines_;
   std::optional<kaori::agent::DamagedDisks> damaged_;
+  std::optional<kaori::agent::KernelLog> kernel_;
   std::optional<kaori::agent::SimulatedDials> dials_;
 };
 
