@@ -14,10 +14,10 @@ namespace {
 using std::chrono::seconds;
 
 constexpr Duration kLongestFrame = seconds(300);  // With a new style's shaders, on a busy machine.
-constexpr Duration kLongestCable =
-    seconds(90);  // Until a device that is pulled or plugged in is missed or found.
-constexpr Duration kJustBefore =
-    std::chrono::milliseconds(1);  // Closer together no two actions of a scenario are.
+// Until a device that is pulled or plugged in is missed or found.
+constexpr Duration kLongestCable = seconds(90);
+// Closer together no two actions of a scenario are.
+constexpr Duration kJustBefore = std::chrono::milliseconds(1);
 
 // Brings everything back that a scenario may leave otherwise, also where it ends before its time: what a check or its control leaves
 // unplugged, held or covered would be missing in the next one.
