@@ -27,6 +27,30 @@ TEST(BoxPrograms, AreReadFromWhatTheServiceManagerShows) {
   EXPECT_TRUE(ReadPrograms("Unit kaori-stage.service could not be found.\n").empty());
 }
 
+// Says the same to every question.
+class SayingAgent final : public AgentProtocol {
+ public:
+  explicit SayingAgent(Result<std::string> answer) : answer_(std::move(answer)) {}
+  Result<std::string> Ask(const std::string& question, Duration) override {
+    asked_ = question;
+    return answer_;
+  }
+  const std::string& asked() const { return asked_; }
+
+ private:
+  Result<std::string> answer_;
+  std::string asked_;
+};
+
+TEST(BoxPrograms, AreAskedForAllTogetherAndNoneMayBeMissing) {
+  SayingAgent whole(std::string(kTwoUnits) + "\n" + kTwoUnits), half{kTwoUnits},
+      dead(Fail(std::errc::timed_out, "ask"));
+  EXPECT_EQ(LookAtPrograms(whole)->size(), 4U);
+  EXPECT_THAT(whole.asked(), HasSubstr("kaori-stage.service kaori-fdkeeper.service kaori-input.service"));
+  EXPECT_FALSE(LookAtPrograms(half));
+  EXPECT_FALSE(LookAtPrograms(dead));
+}
+
 TEST(BoxPrograms, HaveEndedWhereTheirProcessIsAnother) {
   const std::vector<BoxProgram> before{{"kaori-stage", 217, 0}, {"kaori-input", 230, 3}};
   EXPECT_EQ(EndedSince(before, before), "") << "what was before counts for nothing";
