@@ -210,9 +210,11 @@ TEST_F(WatchedService, ACallThatTakesLongIsNotTakenForAHang) {
   ASSERT_TRUE(AllowSilence(seconds(5))) << "before the first beat the longest silence is allowed anyway";
   ASSERT_TRUE(watchdog->Beat(milliseconds(20)));
   EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=600000\nWATCHDOG=1");
-  ASSERT_TRUE(AllowSilence(milliseconds(300))) << "shorter than what is allowed";
-  ASSERT_TRUE(AllowSilence(seconds(5)));
-  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=5000000\nWATCHDOG=1");
+  ASSERT_TRUE(AllowSilence(milliseconds(300)));
+  for (int n = 0; n < 3; ++n) ASSERT_TRUE(AllowSilence(seconds(5)));
+  ASSERT_EQ(manager_.Read().words, "WATCHDOG=1") << "shorter than what is allowed";
+  ASSERT_EQ(manager_.Read().words, "WATCHDOG_USEC=5000000\nWATCHDOG=1");
+  for (int n = 0; n < 2; ++n) ASSERT_EQ(manager_.Read().words, "WATCHDOG=1") << "each call has its own 5 s";
   ASSERT_TRUE(watchdog->Beat(milliseconds(20)));
   EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=600000\nWATCHDOG=1");
   ASSERT_TRUE(watchdog->Beat(milliseconds(20)));
