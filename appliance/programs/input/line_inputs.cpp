@@ -4,6 +4,7 @@
 
 #include "appliance/core/board/lines.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
 
 namespace kaori::input {
 namespace {
@@ -17,10 +18,11 @@ constexpr Duration kLineRetry = std::chrono::seconds(1);
 using board::SourceState;
 
 LineInputs::LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
-                       ports::GpioOpener open, std::uint32_t wired)
+                       ports::GpioOpener open, const Clock& clock, std::uint32_t wired)
     : writer_(std::move(writer)),
       caller_(std::move(caller)),
       open_(std::move(open)),
+      clock_(clock),
       value_(board.Read<board::Lines>().value),
       source_(board.Read<board::Lines>().source) {
   value_.wired = wired;
@@ -35,14 +37,17 @@ void LineInputs::Step(Time now) {
 }
 
 // A chip that is missing is asked for every second and logged once for each cause, since a box without foot
-// switches is a box all the same.
+// switches is a box all the same. One on USB that does not answer blocks for seconds, and all input with it.
 void LineInputs::Open(Time now) {
-  retry_at_ = now + kLineRetry;
+  ExpectLongCall();
+  const Time asked = clock_.now();
   auto lines = open_();
+  const Time answered = clock_.now();
+  retry_at_ = answered + PauseAfter(answered - asked, kLineRetry);
   if (!lines) {
     const std::errc before = std::exchange(logged_, lines.error().cause);
     if (before != logged_)
-      LogWarning("{}; the show goes on without the GPIO lines, which are tried again every second",
+      LogWarning("{}; the show goes on without the GPIO lines, which are tried again",
                  lines.error().message());
     // Pulled while the program was away: the second failure says that it is not only late.
     if (before != std::errc{} && source_ == SourceState::kLive) Release(now);
@@ -130,9 +135,10 @@ void LineInputs::SetTally(bool lit) {
 // Whoever watches the chip's descriptor learns from the generation that it is closed.
 void LineInputs::HandleLoss(const Error& error, Time now) {
   LogWarning("{}; all GPIO lines count as released", error.message());
+  ExpectLongCall();
   lines_.reset();
   ++generation_;
-  retry_at_ = now + kLineRetry;
+  retry_at_ = clock_.now() + kLineRetry;
   Release(now);
 }
 

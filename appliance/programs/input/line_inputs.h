@@ -17,14 +17,14 @@ inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 
 // Used by one thread. It starts from what the section holds: a line that was active before a restart and
 // still is counts as one push, and one for GO, BACK or PANIC calls it then. Lines that are absent or were lost are opened
-// again every second.
+// again every second, or seldom where that takes long: a chip that does not answer costs a twentieth of the time.
 class LineInputs {
  public:
-  // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
-  // `wired` is as Lines has it.
+  // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept, and the
+  // clock is borrowed. `wired` is as Lines has it.
   // `open` may be called any number of times, from Step alone.
   LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
-             ports::GpioOpener open, std::uint32_t wired = board::kEveryLine);
+             ports::GpioOpener open, const Clock& clock, std::uint32_t wired = board::kEveryLine);
 
   // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip
   // needs.
@@ -63,6 +63,8 @@ class LineInputs {
   board::Caller caller_;
   // How the lines are opened; empty where the box has none.
   ports::GpioOpener open_;
+  // That of the times which Step is given: asked again after a call that may have taken long.
+  const Clock& clock_;
   std::unique_ptr<ports::GpioLines> lines_;
   // The section as it was published last.
   board::Lines value_;
