@@ -44,8 +44,8 @@ class LineInputs {
  private:
   // Tries to open the lines; on success begins with them as they stand.
   void Open(Time now);
-  // Reads all levels and makes the section live.
-  void Begin(Time now);
+  // Makes the section live.
+  void Begin(std::uint32_t levels, Time now);
   // Settles the edges that wait, each at the kernel's time of it.
   void HandleEdges(Time now);
   // Asks for all levels, since the kernel may have dropped edges.
@@ -53,6 +53,8 @@ class LineInputs {
   // Brings one line of the board up to its level, unless it changed within the bounce.
   void Settle(std::uint32_t line, Time at);
   void SettleAll(Time now);
+  // A transfer failed: it is passed over, unless the chip is gone or many failed in a row.
+  void HandleFault(const Error& error, Time now);
   // The chip is gone: all lines are released, and it is opened again later.
   void HandleLoss(const Error& error, Time now);
   // All lines of the board are let go, and the section is stale.
@@ -72,6 +74,10 @@ class LineInputs {
   std::uint32_t levels_ = 0;  // As last reported, bit n for line n; the board follows once a line settled.
   std::array<Time, 32> changed_at_{};  // When each line last changed on the board.
   std::optional<bool> shown_tally_;    // As the lamp was last switched; empty after the lines were opened.
+  bool has_edges_ = false;             // Since all levels were read.
+  // Failed transfers in a row, and when the last of them was.
+  int faults_ = 0;
+  Time fault_at_{};
   Time retry_at_{};
   std::errc logged_{};  // Why opening failed last: the same cause is not logged again.
   std::uint32_t generation_ = 0;

@@ -18,6 +18,7 @@ namespace kaori::input {
 struct FakeChip {
   std::uint32_t levels = 0;
   std::deque<ports::GpioEdge> edges;
+  int failing_edges = 0, failing_levels = 0;  // So many transfers fail.
   bool there = true;
   int fd = -1;
   int opened = 0;
@@ -32,10 +33,12 @@ class FakeLines final : public ports::GpioLines {
   int pollable() const override { return chip_.fd; }
   Result<std::uint32_t> Levels() override {
     if (!chip_.there) return Fail(std::errc::no_such_device, "read lines");
+    if (chip_.failing_levels > 0) return --chip_.failing_levels, Fail(std::errc::io_error, "read lines");
     return chip_.levels;
   }
   Result<ports::GpioEdge> ReadEdge() override {
     if (!chip_.there) return Fail(std::errc::no_such_device, "read lines");
+    if (chip_.failing_edges > 0) return --chip_.failing_edges, Fail(std::errc::io_error, "read lines");
     if (chip_.edges.empty()) return Fail(std::errc::resource_unavailable_try_again, "read lines");
     const ports::GpioEdge edge = chip_.edges.front();
     chip_.edges.pop_front();

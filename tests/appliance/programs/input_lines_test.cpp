@@ -133,6 +133,47 @@ TEST_F(Lines, AreReleasedWhenTheChipIsPulledAndComeBackWithIt) {
   EXPECT_EQ(Read().value.active, 8U);
 }
 
+TEST_F(Lines, AreHeldAndLoseNoGoWhereSingleTransfersFail) {
+  Contact(2, true);
+  Wait(milliseconds(50));
+  for (int n = 0; n < 60; ++n) {
+    chip_.failing_edges = chip_.failing_levels = 1;
+    Contact(0, n % 2 == 0);
+    Wait(milliseconds(50));
+    ASSERT_EQ(Read().source, SourceState::kLive) << n;
+    ASSERT_EQ(Read().value.active, n % 2 == 0 ? 5U : 4U) << n;
+  }
+  EXPECT_EQ(board_.Read<board::Calls>().value.count, 30U) << "one for each time that it goes down";
+  EXPECT_EQ(chip_.opened, 1);
+}
+
+TEST_F(Lines, AreLostWhereAllTransfersFail) {
+  Contact(2, true);
+  Wait(milliseconds(50));
+  chip_.failing_edges = 24;
+  Wait(milliseconds(100));
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  Wait(milliseconds(1100));
+  chip_.failing_edges = 25;
+  Wait(milliseconds(100));
+  EXPECT_EQ(Read().source, SourceState::kStale);
+  EXPECT_EQ(Read().value.active, 0U);
+  Wait(milliseconds(1100));
+  EXPECT_EQ(Read().source, SourceState::kLive);
+}
+
+TEST_F(Lines, AreHeldWhereTheFirstLookAtThemFails) {
+  Contact(2, true);
+  Wait(milliseconds(50));
+  chip_.failing_levels = 1;
+  Start();
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  Wait(milliseconds(1100));
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  EXPECT_EQ(Read().value.active, 4U);
+  EXPECT_EQ(Read().value.pushes[2], 1U);
+}
+
 TEST_F(Lines, AreReleasedWhereTheChipWasPulledWhileTheProgramWasAway) {
   Contact(1, true);
   Wait(milliseconds(20));
