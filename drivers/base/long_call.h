@@ -9,8 +9,8 @@ namespace kaori {
 
 // To be called before a device is opened, reset or closed: a program that waits for the kernel then must not look
 // like one that hangs. USB gives an answer 5 s of time, also one that another call waits for on the same device,
-// and raw MIDI gives what is still to be sent 10 s. Does nothing where no manager watches; a failure is one line in
-// the log. Any thread.
+// and raw MIDI gives what is still to be sent 10 s. Also before a file is written that has to be safe on the disk. Does
+// nothing where no manager watches; a failure is one line in the log. Any thread.
 void ExpectLongCall();
 
 // The pause before a call that failed and took so long is made again: `least`, or what leaves twenty parts of the
