@@ -60,6 +60,8 @@ class KmsScreen final : public ports::Scanout {
     PanelState state = PanelState::kNew;
     bool flip_pending = false;
     std::uint32_t mode = 0;  // The mode's blob; 0 before the first picture.
+    // When a link that had failed was set up last.
+    std::optional<Time> linked_at{};
   };
   KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsSurface> surface, const Clock& clock,
             KmsPreferences& preferences);
@@ -77,11 +79,13 @@ class KmsScreen final : public ports::Scanout {
   // Whether the connector is no panel's, and was empty before.
   bool IsNew(std::uint32_t connector) const;
   // Shows the framebuffer on every screen that is plugged in. Errors: what the card says.
-  Result<void> Commit(std::uint32_t framebuffer);
+  Result<void> Commit(std::uint32_t framebuffer, Time now);
   // The error that Present gives, after the screen at fault was found and its refusal noted.
-  Error Blame(const Error& error, std::uint32_t framebuffer);
+  Error Blame(const Error& error, std::uint32_t framebuffer, Time now);
   // A test commit for this panel alone.
   bool CouldShow(Panel& panel, std::uint32_t framebuffer);
+  // Whether the panel shows nothing of ours: it is new, or its link failed, and was not set up a moment ago.
+  bool IsToBeSetUp(const Panel& panel, Time now) const;
   // Adds all settings of a panel that shows nothing of ours yet. Errors: those of CreateModeBlob.
   Result<void> AddPanel(Panel& panel, std::uint32_t framebuffer);
   // Settings that free what no panel uses.
