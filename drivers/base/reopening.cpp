@@ -7,6 +7,12 @@
 #include "drivers/base/long_call.h"
 
 namespace kaori {
+namespace {
+
+// A camera needs tenths of a second to open and to close; what takes longer waits for an answer that does not come.
+constexpr Duration kBlocks = std::chrono::seconds(1);
+
+}  // namespace
 
 Time Reopening::Begin() const {
   ExpectLongCall();
@@ -16,15 +22,16 @@ Time Reopening::Begin() const {
 // After a time-out the opening is no news.
 void Reopening::Note(const Error* failed, Time asked) {
   const Time now = clock_.now();
-  not_before_ = now + PauseAfter(now - asked, Duration{});
+  const Duration took = now - asked;
   if (failed == nullptr) {
+    not_before_ = took >= kBlocks ? now + PauseAfter(took, Duration{}) : now;
     has_delivered_ = false;
     if (!told_.contains(std::errc::timed_out) && IsNews(std::errc{})) Log("{}: opened", name_);
     return;
   }
-  due_at_ = std::max(not_before_, now + kShortestPause);
+  due_at_ = now + PauseAfter(took, kShortestPause);
   // What is plugged in where nothing was has not disappointed yet.
-  if (failed->cause == std::errc::no_such_device) pause_ = kShortestPause;
+  if (failed->cause == std::errc::no_such_device) pause_ = kFirstPause;
   if (IsNews(failed->cause)) Log("{}; trying again until it is there", failed->message());
 }
 
@@ -32,9 +39,9 @@ void Reopening::Note(const Error* failed, Time asked) {
 void Reopening::NoteClosed(Time asked) {
   const Time now = clock_.now();
   const Duration pause =
-      has_delivered_ ? after_loss_ : std::exchange(pause_, std::min(2 * pause_, kLongestPause));
-  const bool blocked = now - asked >= kShortestPause;
-  due_at_ = now + (blocked ? PauseAfter(now - asked, pause) : pause);
+      has_delivered_ ? after_loss_
+                     : std::max(kShortestPause, std::exchange(pause_, std::min(2 * pause_, kLongestPause)));
+  due_at_ = now + (now - asked >= kBlocks ? PauseAfter(now - asked, pause) : pause);
   if (!has_delivered_) due_at_ = std::max(due_at_, not_before_);
 }
 
@@ -45,7 +52,7 @@ void Reopening::Tell(const Error& why) {
 
 void Reopening::NoteDelivery() {
   has_delivered_ = true;
-  pause_ = kShortestPause;
+  pause_ = kFirstPause;
   told_.clear();
 }
 

@@ -13,9 +13,9 @@
 namespace kaori {
 
 // A device that cannot be opened is tried again every 250 ms, so that one that is plugged in is there at once. One
-// that opens and delivers nothing is opened after 250 ms, 500 ms and so on up to 10 s, until it delivers or is
-// unplugged. An attempt that blocks costs a twentieth of the time at most: every pause counts from its end. Each cause is one line in the
-// log until the device delivers. One thread.
+// that opens and delivers nothing is opened after 250 ms twice, then 500 ms and so on up to 10 s, until it delivers
+// or is unplugged. An attempt that blocks costs a twentieth of the time at most: every pause counts from its end.
+// Each cause is one line in the log until the device delivers. One thread.
 class Reopening {
  public:
   // Borrows the clock. `name` is for the log: "lip camera". `after_loss`: the pause before a device that had
@@ -69,13 +69,15 @@ class Reopening {
   Time due_at_{};
   // A device whose opening blocked is not opened before this time.
   Time not_before_{};
-  // The pause after the next opening that gives nothing.
-  Duration pause_ = kShortestPause;
+  // Twice the pause before; the next one is no shorter than kShortestPause.
+  Duration pause_ = kFirstPause;
   // Since it was opened.
   bool has_delivered_ = false;
   std::set<std::errc> told_;
 
   static constexpr Duration kShortestPause = std::chrono::milliseconds(250);
+  // A stream that stood still for some seconds is back within one.
+  static constexpr Duration kFirstPause = kShortestPause / 2;
   static constexpr Duration kLongestPause = std::chrono::seconds(10);
 };
 

@@ -71,6 +71,13 @@ TEST_F(Reopened, IsADeviceThatDeliversNothingLessAndLessOften) {
   EXPECT_EQ(lines_, 0);
 }
 
+TEST_F(Reopened, IsADeviceWithoutALongPauseInTheFirstSeconds) {
+  delivers_ = true;
+  Live(seconds(1), seconds(1));
+  delivers_ = false;
+  EXPECT_GE(Live(seconds(5), seconds(1)), 4) << "one that stood still is found within half a second";
+}
+
 TEST_F(Reopened, IsADeviceThatDeliveredAfterAShortPauseEachTime) {
   delivers_ = true;
   const int opened = Live(seconds(60));
@@ -84,6 +91,14 @@ TEST_F(Reopened, IsADeviceThatWasPluggedInAnewSoon) {
   Live(seconds(20));
   failure_ = {};
   EXPECT_EQ(Live(milliseconds(600), milliseconds(100)), 2);
+}
+
+TEST_F(Reopened, IsADeviceThatTakesTenthsOfASecondAsSoonAsOneThatTakesNone) {
+  opens_after_ = closes_after_ = milliseconds(300);
+  delivers_ = true;
+  Live(seconds(1), seconds(1));
+  delivers_ = false;
+  EXPECT_GE(Live(seconds(5), seconds(1)), 3);
 }
 
 TEST_F(Reopened, IsADeviceThatBlocksForATwentiethOfTheTime) {
