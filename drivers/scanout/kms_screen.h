@@ -76,6 +76,8 @@ class KmsScreen final : public ports::Scanout {
   bool IsAsBefore(const KmsConnector& connector, const Panel& panel) const;
   // Notes whether the panel's screen is plugged in. Errors: as CheckConnectors.
   Result<void> CheckPanel(Panel& panel);
+  // Has a display beside the show set up anew whose link failed.
+  void CheckLink(KmsSideDisplay& display);
   // Whether the connector is no panel's, and was empty before.
   bool IsNew(std::uint32_t connector) const;
   // Shows the framebuffer on every screen that is plugged in. Errors: what the card says.
@@ -111,6 +113,8 @@ class KmsScreen final : public ports::Scanout {
   std::vector<std::uint32_t> undriven_;
   std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame allocates.
   Time checked_at_{};                 // When connectors were checked last.
+  // When a display beside the show was set up anew last, since its link had failed.
+  std::optional<Time> side_linked_at_{};
   // When Present succeeded last: a flip that takes too long is counted from here.
   Time presented_at_{};
   std::uint64_t frame_ = 0;    // The one presented last.

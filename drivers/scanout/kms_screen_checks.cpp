@@ -18,7 +18,11 @@ Result<void> KmsScreen::ProbeAll() {
     const auto found = card_.Probe(connector);
     const auto panel =
         std::ranges::find(panels_, connector, [](const Panel& p) { return p.at.output.connector; });
-    if (!found || !found->plugged || panel == panels_.end()) continue;
+    if (!found || !found->plugged) continue;
+    for (KmsSideDisplay* const display : {status_display_.get(), monitor_display_.get()})
+      if (display != nullptr && display->output().connector == connector)
+        display->NoteLink(found->link_is_bad);
+    if (panel == panels_.end()) continue;
     if (!IsAsBefore(*found, *panel))
       return Fail(std::errc::no_such_device, "keep the screens as they were: one has another mode");
     panel->at.output.link_is_bad = found->link_is_bad;
@@ -44,8 +48,17 @@ Result<void> KmsScreen::CheckConnectors() {
   }
   for (Panel& panel : panels_)
     if (auto checked = CheckPanel(panel); !checked) return checked;
+  for (KmsSideDisplay* const display : {status_display_.get(), monitor_display_.get()})
+    if (display != nullptr) CheckLink(*display);
   if (First() == nullptr) return Fail(std::errc::no_such_device, "draw for the screen");
   return {};
+}
+
+void KmsScreen::CheckLink(KmsSideDisplay& display) {
+  const Time now = clock_.now();
+  if (!display.output().link_is_bad || (side_linked_at_ && now - *side_linked_at_ < kRelinkPause)) return;
+  side_linked_at_ = now;
+  display.SetUpAnew();
 }
 
 bool KmsScreen::IsNew(std::uint32_t connector) const {
