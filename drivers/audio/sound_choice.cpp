@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "drivers/base/log.h"
@@ -12,6 +14,8 @@ namespace {
 // Often enough for somebody who plugs a microphone in before a show,
 // seldom enough that the listing costs nothing.
 constexpr Duration kCheckPeriod = std::chrono::seconds(2);
+// A device that is busy, or that may not be opened yet, is waited for; another one is used after this time.
+constexpr Duration kLongestRefusal = std::chrono::seconds(2);
 
 // A device that was the nearest one when it was opened; it fails once another one is.
 // Every other call goes to the device that it wraps.
@@ -51,17 +55,84 @@ class NearestPcm final : public AlsaPcm {
   Time check_at_;
 };
 
-Result<std::unique_ptr<AlsaPcm>> OpenNearest(const SoundSearch& search, Direction direction,
-                                             const AlsaPreferences& preferences, const Clock& clock) {
-  const auto nearest = [list = search.list, direction] { return Nearest(list(direction)); };
-  const std::string name = nearest();
+// The device that is used, and those that refused: shared by an opener and the devices that it opens.
+class SoundChoice : public std::enable_shared_from_this<SoundChoice> {
+ public:
+  SoundChoice(const Clock& clock, SoundSearch search) : clock_(clock), search_(std::move(search)) {}
+
+  Result<std::unique_ptr<AlsaPcm>> OpenNamed(const std::string& name, Direction direction,
+                                             const AlsaPreferences& preferences) const {
+    return search_.open(name, direction, preferences);
+  }
+
+  // Opens the nearest device that lets itself be opened. Errors: the nearest one's, and no_such_device.
+  Result<std::unique_ptr<AlsaPcm>> OpenNearest(Direction direction, const AlsaPreferences& preferences);
+
+ private:
+  struct Refusals {
+    std::vector<std::string> listed;   // All devices at that time,
+    std::vector<std::string> refused;  // and those of them that refused.
+    // One that may open soon, and since when it is waited for.
+    std::string awaited;
+    Time awaited_since{};
+  };
+
+  // The devices that have not refused. Where other devices are there than before, all are asked again.
+  std::vector<SoundDevice> Candidates(Direction direction);
+  // Whether the device may open soon, so that no other one is taken in its place yet.
+  bool IsAwaited(Refusals& refusals, const std::string& name, std::errc cause) const;
+  Refusals& Of(Direction direction) { return direction == Direction::kCapture ? capture_ : playback_; }
+
+  const Clock& clock_;
+  SoundSearch search_;
+  Refusals capture_, playback_;
+};
+
+std::vector<SoundDevice> SoundChoice::Candidates(Direction direction) {
+  auto devices = search_.list(direction);
+  std::vector<std::string> names;
+  for (const SoundDevice& device : devices) names.push_back(device.name);
+  Refusals& refusals = Of(direction);
+  if (names != refusals.listed) refusals = {.listed = std::move(names), .refused = {}, .awaited = {}};
+  std::erase_if(devices, [&](const SoundDevice& device) {
+    return std::ranges::find(refusals.refused, device.name) != refusals.refused.end();
+  });
+  return devices;
+}
+
+// udev gives a card's files their group one after the other, and a program that ends has its device for a moment.
+bool SoundChoice::IsAwaited(Refusals& refusals, const std::string& name, std::errc cause) const {
+  if (cause != std::errc::permission_denied && cause != std::errc::device_or_resource_busy) return false;
+  if (std::exchange(refusals.awaited, name) != name) refusals.awaited_since = clock_.now();
+  return clock_.now() - refusals.awaited_since < kLongestRefusal;
+}
+
+// Where all refuse, all are asked again the next time.
+Result<std::unique_ptr<AlsaPcm>> SoundChoice::OpenNearest(Direction direction,
+                                                          const AlsaPreferences& preferences) {
   const char* const kind = direction == Direction::kCapture ? "microphone" : "loudspeaker";
-  if (name.empty()) return Fail(std::errc::no_such_device, std::string("find a ") + kind);
-  search.make_audible(name, direction);
-  auto pcm = search.open(name, direction, preferences);
-  if (!pcm) return pcm;
-  Log("{}: {} is the nearest", kind, name);
-  return std::make_unique<NearestPcm>(std::move(*pcm), name, clock, nearest);
+  Refusals& refusals = Of(direction);
+  std::optional<Error> refusal;
+  for (auto devices = Candidates(direction); !devices.empty();) {
+    const std::string name = Nearest(devices);
+    search_.make_audible(name, direction);
+    auto pcm = search_.open(name, direction, preferences);
+    if (pcm) {
+      refusals.awaited.clear();
+      Log("{}: {} is the nearest{}", kind, name,
+          refusal ? fmt::format(" that opens: {}", refusal->message()) : "");
+      return std::make_unique<NearestPcm>(
+          std::move(*pcm), name, clock_,
+          [self = shared_from_this(), direction] { return Nearest(self->Candidates(direction)); });
+    }
+    if (!refusal) refusal = pcm.error();
+    if (IsAwaited(refusals, name, pcm.error().cause)) return tl::unexpected(*refusal);
+    refusals.refused.push_back(name);
+    std::erase_if(devices, [&](const SoundDevice& device) { return device.name == name; });
+  }
+  refusals.refused.clear();
+  if (refusal) return tl::unexpected(*refusal);
+  return Fail(std::errc::no_such_device, std::string("find a ") + kind);
 }
 
 }  // namespace
@@ -78,10 +149,10 @@ std::string Nearest(std::span<const SoundDevice> devices) {
 }
 
 PcmOpener ChoosingPcmOpener(const Clock& clock, SoundSearch search) {
-  return [&clock, search = std::move(search)](const std::string& name, Direction direction,
-                                              const AlsaPreferences& preferences) {
-    return name == kAnySound ? OpenNearest(search, direction, preferences, clock)
-                             : search.open(name, direction, preferences);
+  return [choice = std::make_shared<SoundChoice>(clock, std::move(search))](
+             const std::string& name, Direction direction, const AlsaPreferences& preferences) {
+    return name == kAnySound ? choice->OpenNearest(direction, preferences)
+                             : choice->OpenNamed(name, direction, preferences);
   };
 }
 

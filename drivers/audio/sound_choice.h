@@ -42,7 +42,8 @@ struct SoundSearch {
   PcmOpener open = OpenAlsaPcm;
 };
 
-// An opener that opens the device of this name, or for kAnySound the nearest one. That one
+// An opener that opens the device of this name, or for kAnySound the nearest one that lets itself be opened: one
+// that refused is not asked again until a device comes or goes, or all have refused. That one
 // fails with -ENODEV within two seconds after a nearer one was plugged in, or after it was
 // itself pulled, so that its user opens it anew. Each choice is logged. `clock` must outlive
 // the opener and its devices. Errors: those of PcmOpener.

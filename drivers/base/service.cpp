@@ -149,7 +149,9 @@ Result<void> Watchdog::Beat(Duration turn) {
 
 Result<void> AllowSilence(Duration longest) {
   const Duration told = g_told.load();
-  return told == Duration() || longest <= told ? Result<void>() : TellLimit(longest);
+  if (told == Duration()) return {};
+  // The manager counts from the last message: a limit that was told already begins anew with a beat.
+  return longest <= told ? Tell("WATCHDOG=1") : TellLimit(longest);
 }
 
 }  // namespace kaori::service

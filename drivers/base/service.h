@@ -60,8 +60,10 @@ class Watchdog {
   Duration limit_;
 };
 
-// For a call that is known to take long, in a program whose watchdog has had its first beat: until the next one the manager
-// waits for `longest` at least. Does nothing where it waits for longer, or does not watch. Errors: those of Tell. Any thread.
+// For a call that is known to take long, in a program whose watchdog has had its first beat: the manager waits for
+// `longest` at least from now on, until the next one. It counts as a beat where a limit as long was told already, so that
+// several such calls in one turn of the loop have their time each. Does nothing where no manager watches. Errors: those
+// of Tell. Any thread.
 Result<void> AllowSilence(Duration longest);
 
 }  // namespace kaori::service

@@ -36,7 +36,7 @@ class CameraLibrary : public ports::CameraTuning {
 // classes cross it and a mismatch would crash.
 struct CameraPlugin {
   // Raised with every change of CameraPlugin, CameraLibrary or the ports that they use.
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
   // The name that dlsym(3) looks for: a variable of the type CameraPlugin.
   static constexpr const char* kSymbol = "kaori_camera_plugin";
   // First, and of fixed size: it can be read whatever the rest of the struct has become.

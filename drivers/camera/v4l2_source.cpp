@@ -1,6 +1,21 @@
 #include "drivers/camera/v4l2_source.h"
 
+#include <linux/videodev2.h>
+
+#include <algorithm>
+
 namespace kaori::camera {
+namespace {
+
+// The model's name, as the camera tells it: "HD Pro Webcam C920". Empty where it does not.
+std::string ModelOf(V4l2Calls& calls, int fd) {
+  v4l2_capability capability{};
+  if (calls.Ioctl(fd, VIDIOC_QUERYCAP, &capability) != 0) return {};
+  const auto end = std::ranges::find(capability.card, __u8{0});
+  return {std::begin(capability.card), end};
+}
+
+}  // namespace
 
 V4l2Source::V4l2Source(std::string path, const V4l2Preferences& preferences, const Clock& clock,
                        V4l2Calls& calls)
@@ -25,12 +40,15 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Source::OpenFastest() {
   }
 }
 
-// Through a descriptor of its own: the stream's belongs to the camera, which may be gone.
+// Through a descriptor of its own: the stream's belongs to the camera, which may be gone. A camera that does not
+// tell its model now may be the one before.
 std::vector<std::string> V4l2Source::Apply() {
   const UniqueFd fd = calls_.Open(path_);
   if (!fd.valid()) return {};
+  const std::string model = ModelOf(calls_, fd.get());
+  if (held_ && !model.empty() && model != held_->model) held_.reset();
   if (mode_) FitMains(calls_, fd.get(), mode_->rate_hz());
-  return held_ ? HoldControls(calls_, fd.get(), *held_) : FreeControls(calls_, fd.get());
+  return held_ ? HoldControls(calls_, fd.get(), held_->values) : FreeControls(calls_, fd.get());
 }
 
 std::string V4l2Source::mode() const {
@@ -53,7 +71,7 @@ std::vector<std::string> V4l2Source::Set(ports::CameraHold hold) {
   if (hold == ports::CameraHold::kFree) {
     held_.reset();
   } else if (const UniqueFd fd = calls_.Open(path_); fd.valid()) {
-    held_ = ReadControls(calls_, fd.get());
+    held_ = {ModelOf(calls_, fd.get()), ReadControls(calls_, fd.get())};
   }
   return Apply();
 }

@@ -34,6 +34,7 @@ class V4l2Source final : public ports::CameraTuning {
   std::string mode() const override;
   std::optional<float> exposure() const override;
   std::vector<std::string> Set(ports::CameraHold hold) override;
+  bool holds() const override { return held_.has_value(); }
   bool Slower() override;
 
  private:
@@ -48,8 +49,14 @@ class V4l2Source final : public ports::CameraTuning {
   V4l2Calls& calls_;
   // The mode of the camera that was opened last; none before.
   std::optional<V4l2Mode> mode_;
-  // None while free. Values that were read when the show was held; an opening sets them again.
-  std::optional<std::vector<V4l2Value>> held_;
+  // Values that were read when the show was held, and the name of the model that they are of: they mean nothing to
+  // another one.
+  struct Held {
+    std::string model;
+    std::vector<V4l2Value> values;
+  };
+  // None while free. An opening sets them again.
+  std::optional<Held> held_;
 };
 
 }  // namespace kaori::camera

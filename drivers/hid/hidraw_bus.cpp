@@ -8,9 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
 #include "drivers/base/open_cause.h"
-#include "drivers/base/service.h"
 #include "drivers/decode/recognise.h"
 #include "drivers/hid/hidraw_channel.h"
 
@@ -147,6 +146,9 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
   const auto it = nodes_.find(port);
   if (it == nodes_.end()) return Fail(std::errc::no_such_device, "open " + port);
   const Node& node = it->second;
+  // The kernel opens and closes no node while another one is asked for a report (minors_rwsem of its hidraw), and one
+  // that does not answer is asked for 5 s.
+  ExpectLongCall();
   // Reading and writing: a lamp's report goes through the same node.
   UniqueFd fd(::open(node.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!fd.valid()) return Fail(CauseOfOpen(errno), "open " + node.path + " at " + port);
@@ -163,9 +165,6 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
   return channel;
 }
 
-// More than the kernel waits for an answer on USB (hid-core's time-out of 5 s).
-constexpr Duration kLongestSilence = std::chrono::seconds(12);
-
 // A device that does not answer blocks the loop for 5 s: no other one of its kind is asked again.
 void HidrawBus::RequestInitialReports(HidrawChannel& channel) {
   const ports::HidIdentity& identity = channel.identity();
@@ -173,7 +172,7 @@ void HidrawBus::RequestInitialReports(HidrawChannel& channel) {
   const std::pair kind(identity.vendor, identity.product);
   if (!layout || silent_kinds_.contains(kind)) return;
   // A device that is plugged in and does not answer must not look like a program that hangs.
-  if (auto told = service::AllowSilence(kLongestSilence); !told) LogWarning("{}", told.error().message());
+  ExpectLongCall();
   const auto asked = channel.RequestInitialReports(decode::InitialReportsOf(*layout));
   if (!asked && asked.error().cause == std::errc::timed_out) silent_kinds_.insert(kind);
 }

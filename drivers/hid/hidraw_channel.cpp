@@ -116,29 +116,24 @@ void HidrawChannel::Send() {
 Result<std::size_t> HidrawChannel::GetFeature(std::span<std::uint8_t> into) {
   if (gone_) return Gone();
   const int got = ::ioctl(node_.get(), HIDIOCGFEATURE(into.size()), into.data());
-  if (got < 0) return FeatureFailed(errno, "read a feature of ");
+  if (got < 0) return Failed(errno, "read a feature of ");
   return static_cast<std::size_t>(got);
 }
 
 Result<void> HidrawChannel::SetFeature(std::span<const std::uint8_t> report) {
   if (gone_) return Gone();
   if (::ioctl(node_.get(), HIDIOCSFEATURE(report.size()), report.data()) < 0)
-    return FeatureFailed(errno, "send a feature to ");
+    return Failed(errno, "send a feature to ");
   return {};
 }
 
-// A refusal is EPIPE here, and no sign of a device that went.
-tl::unexpected<Error> HidrawChannel::FeatureFailed(int error, const char* verb) {
-  if (error == EPIPE && !is_hung_up(node_.get())) return Fail(std::errc::io_error, verb + identity_.port);
-  return Failed(error, verb);
-}
-
-// The kernel says EIO both for a pulled cable and for a transfer that failed; the hang-up tells them apart.
+// The kernel says EIO both for a pulled cable and for a transfer that failed, and EPIPE for a report that the device
+// refused by a STALL, which is no pulled cable; the hang-up tells them apart.
 tl::unexpected<Error> HidrawChannel::Failed(int error, const char* verb) {
   if (error == EAGAIN || error == EINTR)
     return Fail(std::errc::resource_unavailable_try_again, verb + identity_.port);
-  // ESHUTDOWN and EPIPE come from the USB layers below.
-  const bool says_gone = error == ENODEV || error == ENXIO || error == EPIPE || error == ESHUTDOWN;
+  // ESHUTDOWN comes from the USB layers below.
+  const bool says_gone = error == ENODEV || error == ENXIO || error == ESHUTDOWN;
   gone_ = says_gone || is_hung_up(node_.get());
   if (gone_) return Gone();
   return Fail(std::errc::io_error, verb + identity_.port);

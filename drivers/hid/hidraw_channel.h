@@ -43,7 +43,6 @@ class HidrawChannel final : public ports::HidChannel {
  private:
   // The error of a failed call by its errno; `verb` ends with a space. Notes where the device is gone.
   tl::unexpected<Error> Failed(int error, const char* verb);
-  tl::unexpected<Error> FeatureFailed(int error, const char* verb);
   tl::unexpected<Error> Gone() const;
 
   // On the sender's thread.

@@ -38,6 +38,9 @@ class CameraTuning {
   // not have, or refused to set, by names for people: "focus". Blocks for some milliseconds.
   virtual std::vector<std::string> Set(CameraHold hold) = 0;
 
+  // Whether there is something that is held: Set(kHeld) found a camera then, and none of another model came since.
+  virtual bool holds() const = 0;
+
   // Has the next opening use the next slower frame rate, as when a USB bus has no
   // room for the rate (CameraOpener's no_space_on_device). False, and nothing
   // changes, where no slower one is fast enough for lips.

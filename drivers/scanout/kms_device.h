@@ -29,6 +29,9 @@ struct KmsConnector {
   // As the screen's EDID lists them, the preferred one usually first; empty
   // where the EDID cannot be read.
   std::vector<drmModeModeInfo> modes;
+  // The training of its link failed (DisplayPort): the screen stays black until its mode is set anew, with the property
+  // link-status GOOD (drm_connector.c of the kernel).
+  bool link_is_bad = false;
 };
 
 // A primary plane: it holds a CRTC's whole picture. Overlay and cursor planes are not used.

@@ -118,6 +118,8 @@ Result<KmsConnector> KmsKernel::Probe(std::uint32_t connector) {
   KmsConnector found{
       connector, NameOf(*now), now->connection == DRM_MODE_CONNECTED, PossibleCrtcs(card_, *now), {}};
   found.modes.assign(now->modes, now->modes + now->count_modes);
+  const auto link = FindProperty(card_, {connector, DRM_MODE_OBJECT_CONNECTOR}, "link-status");
+  found.link_is_bad = link && link->value == DRM_MODE_LINK_STATUS_BAD;
   return found;
 }
 

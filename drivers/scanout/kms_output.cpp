@@ -127,7 +127,7 @@ Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsPreferences& pref
   for (std::size_t i = 0; i < connectors.size(); ++i)
     if (const auto crtc = matching.CrtcOf(i))
       outputs.push_back({connectors[i].id, connectors[i].name, crtcs[*crtc], planes[*crtc],
-                         *ModeFor(connectors[i], preferences)});
+                         *ModeFor(connectors[i], preferences), connectors[i].link_is_bad});
   if (outputs.empty()) return Fail(std::errc::not_supported, "show on any screen that is plugged in");
   return outputs;
 }

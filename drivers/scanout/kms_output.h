@@ -20,6 +20,8 @@ struct KmsOutput {
   std::uint32_t crtc = 0;
   std::uint32_t plane = 0;
   ChosenMode chosen;
+  // As KmsConnector says; until it is set up again.
+  bool link_is_bad = false;
 };
 
 // Every screen that is plugged in, in the card's order, each in the first mode that the card has not refused.

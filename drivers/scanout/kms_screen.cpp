@@ -62,7 +62,7 @@ KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsSurface> 
   for (const std::uint32_t connector : card_.Connectors())
     if (IsNew(connector) && card_.ConnectionOf(connector) == Connection::kConnected)
       undriven_.push_back(connector);
-  constexpr std::size_t kMostSettings = 13;  // Of one screen, as AddOutputSettings adds them.
+  constexpr std::size_t kMostSettings = 14;  // Of one screen, as AddOutputSettings adds them.
   settings_.reserve(panels_.size() * kMostSettings);
   // Where there is no memory for a display beside it, the show goes on without.
   if (wall_.status) status_display_ = KmsSideDisplay::Open(card_, *wall_.status).value_or(nullptr);
@@ -96,63 +96,6 @@ tl::unexpected<Error> KmsScreen::Gone(const Error& error) {
   return tl::unexpected(error);
 }
 
-// The kernel knows what the last probe saw: a screen that
-// is shown may have been replaced by another one since.
-Result<void> KmsScreen::ProbeAll() {
-  for (const std::uint32_t connector : card_.Connectors()) {
-    const auto found = card_.Probe(connector);
-    const auto panel =
-        std::ranges::find(panels_, connector, [](const Panel& p) { return p.at.output.connector; });
-    if (found && found->plugged && panel != panels_.end() && !IsAsBefore(*found, *panel))
-      return Fail(std::errc::no_such_device, "keep the screens as they were: one has another mode");
-  }
-  return {};
-}
-
-// Another mode of the same size would do: the part of the picture stays the same.
-bool KmsScreen::IsAsBefore(const KmsConnector& connector, const Panel& panel) const {
-  const auto now = ModeFor(connector, preferences_);
-  const auto& before = panel.at.output.chosen.mode;
-  return now && now->mode.hdisplay == before.hdisplay && now->mode.vdisplay == before.vdisplay;
-}
-
-Result<void> KmsScreen::CheckConnectors() {
-  if (card_.DrainHotplug())
-    if (auto probed = ProbeAll(); !probed) return probed;
-  for (const std::uint32_t connector : card_.Connectors()) {
-    const bool plugged = card_.ConnectionOf(connector) == Connection::kConnected;
-    if (!plugged) std::erase(undriven_, connector);
-    if (plugged && IsNew(connector))
-      return Fail(std::errc::no_such_device, "keep the screens as they were: another one was plugged in");
-  }
-  for (Panel& panel : panels_)
-    if (auto checked = CheckPanel(panel); !checked) return checked;
-  if (First() == nullptr) return Fail(std::errc::no_such_device, "draw for the screen");
-  return {};
-}
-
-bool KmsScreen::IsNew(std::uint32_t connector) const {
-  return std::ranges::find(undriven_, connector) == undriven_.end() &&
-         std::ranges::none_of(panels_, [&](const Panel& p) { return p.at.output.connector == connector; });
-}
-
-Result<void> KmsScreen::CheckPanel(Panel& panel) {
-  const std::uint32_t connector = panel.at.output.connector;
-  const bool plugged = card_.ConnectionOf(connector) == Connection::kConnected;
-  if (!plugged) {
-    panel.state = PanelState::kUnplugged;
-    panel.flip_pending = false;
-    return {};
-  }
-  if (panel.state != PanelState::kUnplugged) return {};
-  const auto back = card_.Probe(connector);
-  if (!back || !back->plugged) return {};
-  if (!IsAsBefore(*back, panel))
-    return Fail(std::errc::no_such_device, "keep the screens as they were: one came back with another mode");
-  panel.state = PanelState::kNew;
-  return {};
-}
-
 Result<void> KmsScreen::Present(std::uint64_t frame) {
   if (gone_) return tl::unexpected(*gone_);
   if (!std::exchange(acquired_, false)) return FailInput("present without a buffer");
@@ -163,20 +106,27 @@ Result<void> KmsScreen::Present(std::uint64_t frame) {
   }
   // Before the commit: its token is made of the frame's number.
   frame_ = frame;
-  if (auto shown = Commit(*framebuffer); !shown) return tl::unexpected(Blame(shown.error(), *framebuffer));
+  const Time now = clock_.now();
+  if (auto shown = Commit(*framebuffer, now); !shown)
+    return tl::unexpected(Blame(shown.error(), *framebuffer, now));
   presented_at_ = clock_.now();
-  for (Panel& panel : panels_) panel.flip_pending = panel.state != PanelState::kUnplugged;
+  for (Panel& panel : panels_) {
+    panel.flip_pending = panel.state != PanelState::kUnplugged;
+    if (!panel.at.output.link_is_bad || !IsToBeSetUp(panel, now)) continue;
+    panel.at.output.link_is_bad = false;
+    panel.linked_at = now;
+  }
   return {};
 }
 
 // A screen that is shown already needs the new framebuffer alone.
-Result<void> KmsScreen::Commit(std::uint32_t framebuffer) {
+Result<void> KmsScreen::Commit(std::uint32_t framebuffer, Time now) {
   settings_.clear();
   bool sets_modes = false;
   if (!others_removed_) AddOthersOff();
   for (Panel& panel : panels_) {
     if (panel.state == PanelState::kUnplugged) continue;
-    if (panel.state == PanelState::kShown) {
+    if (!IsToBeSetUp(panel, now)) {
       settings_.push_back({panel.at.output.plane, DRM_MODE_OBJECT_PLANE, "FB_ID", framebuffer});
       continue;
     }
@@ -193,18 +143,18 @@ bool KmsScreen::CouldShow(Panel& panel, std::uint32_t framebuffer) {
 
 // Finds the screen whose mode the card refused, by a test commit for each new screen alone, and notes the
 // refusal. Where the card would accept each alone they are too many together, and the last new one gives way.
-Error KmsScreen::Blame(const Error& error, std::uint32_t framebuffer) {
+Error KmsScreen::Blame(const Error& error, std::uint32_t framebuffer, Time now) {
   if (error.cause == std::errc::device_or_resource_busy || error.cause == std::errc::permission_denied)
     return error;
   const Panel* blamed = nullptr;
   bool alone = false;
   for (Panel& panel : panels_) {
-    if (panel.state != PanelState::kNew || alone) continue;
+    if (!IsToBeSetUp(panel, now) || alone) continue;
     alone = !CouldShow(panel, framebuffer);
     blamed = &panel;
   }
   if (blamed == nullptr) return error;
-  Refuse(blamed->at.output, clock_.now(), preferences_);
+  Refuse(blamed->at.output, now, preferences_);
   return {error.cause,
           "show " + ports::Describe(PortOutput(blamed->at.output, ports::OutputState::kShowsPicture))};
 }

@@ -60,6 +60,8 @@ class KmsScreen final : public ports::Scanout {
     PanelState state = PanelState::kNew;
     bool flip_pending = false;
     std::uint32_t mode = 0;  // The mode's blob; 0 before the first picture.
+    // When a link that had failed was set up last.
+    std::optional<Time> linked_at{};
   };
   KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsSurface> surface, const Clock& clock,
             KmsPreferences& preferences);
@@ -74,14 +76,18 @@ class KmsScreen final : public ports::Scanout {
   bool IsAsBefore(const KmsConnector& connector, const Panel& panel) const;
   // Notes whether the panel's screen is plugged in. Errors: as CheckConnectors.
   Result<void> CheckPanel(Panel& panel);
+  // Has a display beside the show set up anew whose link failed.
+  void CheckLink(KmsSideDisplay& display);
   // Whether the connector is no panel's, and was empty before.
   bool IsNew(std::uint32_t connector) const;
   // Shows the framebuffer on every screen that is plugged in. Errors: what the card says.
-  Result<void> Commit(std::uint32_t framebuffer);
+  Result<void> Commit(std::uint32_t framebuffer, Time now);
   // The error that Present gives, after the screen at fault was found and its refusal noted.
-  Error Blame(const Error& error, std::uint32_t framebuffer);
+  Error Blame(const Error& error, std::uint32_t framebuffer, Time now);
   // A test commit for this panel alone.
   bool CouldShow(Panel& panel, std::uint32_t framebuffer);
+  // Whether the panel shows nothing of ours: it is new, or its link failed, and was not set up a moment ago.
+  bool IsToBeSetUp(const Panel& panel, Time now) const;
   // Adds all settings of a panel that shows nothing of ours yet. Errors: those of CreateModeBlob.
   Result<void> AddPanel(Panel& panel, std::uint32_t framebuffer);
   // Settings that free what no panel uses.
@@ -107,6 +113,8 @@ class KmsScreen final : public ports::Scanout {
   std::vector<std::uint32_t> undriven_;
   std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame allocates.
   Time checked_at_{};                 // When connectors were checked last.
+  // When a display beside the show was set up anew last, since its link had failed.
+  std::optional<Time> side_linked_at_{};
   // When Present succeeded last: a flip that takes too long is counted from here.
   Time presented_at_{};
   std::uint64_t frame_ = 0;    // The one presented last.

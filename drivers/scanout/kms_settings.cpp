@@ -7,6 +7,9 @@ void AddOutputSettings(const KmsOutput& output, std::uint32_t mode, const KmsPar
   // Everything is set, whatever an earlier program left: a plane may have had another size or position.
   const auto& size = output.chosen.mode;
   into.push_back({output.connector, DRM_MODE_OBJECT_CONNECTOR, "CRTC_ID", output.crtc});
+  // Not of every connector: older kernels have no such property.
+  if (output.link_is_bad)
+    into.push_back({output.connector, DRM_MODE_OBJECT_CONNECTOR, "link-status", DRM_MODE_LINK_STATUS_GOOD});
   into.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "MODE_ID", mode});
   into.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "ACTIVE", 1});
   const auto plane = [&](const char* name, std::uint64_t value) {

@@ -81,7 +81,7 @@ Result<void> KmsSideDisplay::Show(std::span<const std::uint8_t> rgbx,
   if (auto shown = card_.Commit(settings_, kNoToken, !shown_); !shown) return shown;
   // The card accepts a second commit only once the first one is presented.
   if (shown_ && before_ != 0) card_.RemoveFramebuffer(std::exchange(before_, 0));
-  shown_ = true;
+  if (!std::exchange(shown_, true)) output_.link_is_bad = false;
   return {};
 }
 

@@ -22,7 +22,7 @@ class KmsSideDisplay final : public ports::SideDisplay {
   static Result<std::unique_ptr<KmsSideDisplay>> Open(KmsDevice& card, KmsOutput output);
   ~KmsSideDisplay() override;
 
-  // What the display is driven by; does not change.
+  // What the display is driven by; does not change but for its link.
   const KmsOutput& output() const { return output_; }
   // Whether the framebuffer is this display's, or one that an earlier program left on its screen and that
   // stays until the first Show.
@@ -33,6 +33,9 @@ class KmsSideDisplay final : public ports::SideDisplay {
   int width_px() const override { return output_.chosen.mode.hdisplay; }
   int height_px() const override { return output_.chosen.mode.vdisplay; }
   bool fresh() const override { return !shown_; }
+  // Notes whether the training of its link failed, and has the next Show set the mode anew where it did.
+  void NoteLink(bool is_bad) { output_.link_is_bad = is_bad; }
+  void SetUpAnew() { shown_ = false; }
   // Errors: invalid_argument (another size, an area out of range), and what the card says. The first call
   // sets the mode; later ones show the same framebuffer again.
   Result<void> Show(std::span<const std::uint8_t> rgbx, std::span<const ports::DisplayArea> areas) override;
@@ -49,7 +52,7 @@ class KmsSideDisplay final : public ports::SideDisplay {
   KmsDumbBuffer buffer_;
   std::uint32_t mode_;    // The mode's blob.
   std::uint32_t before_;  // The framebuffer that an earlier program left on the screen; 0: none, or removed.
-  // The first Show succeeded: from then on the CRTC is ours.
+  // The first Show succeeded, and its link works as far as is known: from then on the CRTC is ours.
   bool shown_ = false;
   // Of the commit that is made last; kept for its memory.
   std::vector<KmsSetting> settings_;

@@ -30,15 +30,7 @@ TEST(NearestSound, IsTheFirstOnUsbElseTheBoxsOwnElseAScreens) {
 class ChosenSound : public ::testing::Test {
  protected:
   Result<std::unique_ptr<AlsaPcm>> Open(const std::string& name) {
-    const SoundSearch search{
-        .list = [this](Direction) { return cards_; },
-        .make_audible = [this](const std::string& card, Direction) { made_audible_.push_back(card); },
-        .open = [this](const std::string& card, Direction,
-                       const AlsaPreferences&) -> Result<std::unique_ptr<AlsaPcm>> {
-          opened_.push_back(card);
-          return std::make_unique<tests::FakePcm>(sound_);
-        }};
-    return ChoosingPcmOpener(clock_, search)(name, Direction::kCapture, {});
+    return opener_(name, Direction::kCapture, {});
   }
   long Read(AlsaPcm& pcm) {
     sound_.heard = {1};
@@ -50,6 +42,16 @@ class ChosenSound : public ::testing::Test {
   tests::FakeSound sound_;
   std::vector<SoundDevice> cards_{kOwn};
   std::vector<std::string> opened_, made_audible_;
+  std::map<std::string, std::errc> refusals_;
+  const PcmOpener opener_ = ChoosingPcmOpener(
+      clock_, {.list = [this](Direction) { return cards_; },
+               .make_audible = [this](const std::string& card, Direction) { made_audible_.push_back(card); },
+               .open = [this](const std::string& card, Direction,
+                              const AlsaPreferences&) -> Result<std::unique_ptr<AlsaPcm>> {
+                 opened_.push_back(card);
+                 if (refusals_.contains(card)) return Fail(refusals_[card], "open " + card);
+                 return std::make_unique<tests::FakePcm>(sound_);
+               }});
 };
 
 TEST_F(ChosenSound, IsTheNearestAndIsMadeAudible) {
@@ -88,6 +90,45 @@ TEST_F(ChosenSound, StaysWhenOneThatIsFartherComes) {
   cards_ = {kOwn, kUsb, kOtherUsb};
   clock_.Advance(seconds(10));
   EXPECT_EQ(Read(*pcm), 1);
+}
+
+TEST_F(ChosenSound, IsTheNearestThatOpensUntilDevicesComeOrGo) {
+  cards_ = {kUsb, kOtherUsb};
+  refusals_[kUsb.name] = std::errc::not_supported;
+  const auto opened = Open(kAnySound);
+  ASSERT_TRUE(opened);
+  EXPECT_THAT(opened_, ElementsAre("hw:1,0", "hw:2,0"));
+  clock_.Advance(seconds(10));
+  EXPECT_EQ(Read(**opened), 1) << "it stays";
+  ASSERT_TRUE(Open(kAnySound));
+  EXPECT_THAT(opened_, ElementsAre("hw:1,0", "hw:2,0", "hw:2,0")) << "one that refused is not asked again";
+  cards_ = {kUsb, kOtherUsb, kOwn};
+  refusals_.clear();
+  clock_.Advance(seconds(10));
+  EXPECT_EQ(Read(**opened), -ENODEV);
+  ASSERT_TRUE(Open(kAnySound));
+  EXPECT_EQ(opened_.back(), "hw:1,0");
+}
+
+TEST_F(ChosenSound, IsNotGivenUpForAMomentInWhichItIsBusy) {
+  cards_ = {kUsb, kOwn};
+  refusals_[kUsb.name] = std::errc::device_or_resource_busy;
+  EXPECT_EQ(Open(kAnySound).error().cause, std::errc::device_or_resource_busy);
+  clock_.Advance(seconds(1));
+  EXPECT_FALSE(Open(kAnySound));
+  EXPECT_THAT(opened_, ElementsAre("hw:1,0", "hw:1,0"));
+  clock_.Advance(seconds(1));
+  ASSERT_TRUE(Open(kAnySound));
+  EXPECT_EQ(opened_.back(), "hw:0,0");
+}
+
+TEST_F(ChosenSound, IsAskedForAgainWhereAllRefused) {
+  cards_ = {kUsb, kOwn};
+  refusals_ = {{kUsb.name, std::errc::io_error}, {kOwn.name, std::errc::not_supported}};
+  EXPECT_EQ(Open(kAnySound).error().cause, std::errc::io_error) << "that of the nearest";
+  refusals_.clear();
+  ASSERT_TRUE(Open(kAnySound));
+  EXPECT_EQ(opened_.back(), "hw:1,0");
 }
 
 }  // namespace

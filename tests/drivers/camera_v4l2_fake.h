@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ class FakeV4l2 final : public camera::V4l2Calls {
   std::map<std::uint32_t, std::int32_t> controls;  // Those that it has.
   std::set<std::uint32_t> stubborn;                // Those that it refuses to set.
   std::uint32_t narrow_above_hz = 0;  // The cable has not room for more frames a second; 0: it has.
+  std::string model = "A camera";
   std::uint32_t capabilities = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
   int open_error = 0;
   int failing_error = 0;              // Every call fails with it, when not 0.
@@ -99,8 +101,7 @@ class FakeV4l2 final : public camera::V4l2Calls {
   int Answer(unsigned long request, void* argument) {
     switch (request) {
       case VIDIOC_QUERYCAP:
-        static_cast<v4l2_capability*>(argument)->capabilities = capabilities;
-        return 0;
+        return TellWhatItIs(*static_cast<v4l2_capability*>(argument));
       case VIDIOC_ENUM_FMT:
         return TellFormat(*static_cast<v4l2_fmtdesc*>(argument));
       case VIDIOC_ENUM_FRAMESIZES:
@@ -140,6 +141,11 @@ class FakeV4l2 final : public camera::V4l2Calls {
       default:
         return Refuse(ENOTTY);
     }
+  }
+  int TellWhatItIs(v4l2_capability& capability) const {
+    capability.capabilities = capabilities;
+    std::ranges::copy(model, capability.card);
+    return 0;
   }
   // The n-th of the offers that `is_one` picks; each value of `of` once.
   template <class Test, class Of>

@@ -128,6 +128,22 @@ TEST_F(V4l2SourceTest, SetsWhatWasHeldAnewInACameraThatForgotIt) {
   EXPECT_EQ(At(V4L2_CID_WHITE_BALANCE_TEMPERATURE), 4100);
 }
 
+TEST_F(V4l2SourceTest, SetsNothingOfOneModelInAnother) {
+  auto camera = source_.Open();
+  source_.Set(CameraHold::kHeld);
+  EXPECT_TRUE(source_.holds());
+  camera->reset();
+  kernel_.model = "Another camera";
+  kernel_.controls[V4L2_CID_EXPOSURE_AUTO] = V4L2_EXPOSURE_APERTURE_PRIORITY;
+  kernel_.controls[V4L2_CID_EXPOSURE_ABSOLUTE] = 250;
+  kernel_.controls[V4L2_CID_GAIN] = 5;
+  camera = source_.Open();
+  EXPECT_FALSE(source_.holds());
+  EXPECT_EQ(At(V4L2_CID_EXPOSURE_AUTO), V4L2_EXPOSURE_APERTURE_PRIORITY);
+  EXPECT_EQ(At(V4L2_CID_EXPOSURE_ABSOLUTE), 250);
+  EXPECT_EQ(At(V4L2_CID_GAIN), 5);
+}
+
 TEST_F(V4l2SourceTest, NamesWhatTheCameraLacksAndWhatItRefuses) {
   const auto camera = source_.Open();
   kernel_.controls.erase(V4L2_CID_FOCUS_AUTO);
@@ -141,6 +157,7 @@ TEST_F(V4l2SourceTest, HoldsNothingOfACameraThatIsGoneWhichIsNoError) {
   const auto camera = source_.Open();
   kernel_.open_error = ENODEV;
   EXPECT_THAT(source_.Set(CameraHold::kHeld), IsEmpty());
+  EXPECT_FALSE(source_.holds());
   EXPECT_FALSE(source_.Slower());
   EXPECT_FALSE(source_.exposure());
 }

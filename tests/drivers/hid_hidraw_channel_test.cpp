@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -34,6 +35,26 @@ TEST(HidrawChannel, CallsAFailedTransferAnIoErrorWhileTheDeviceIsThere) {
   HidrawChannel channel(UniqueFd{ends[0]}, {.port = "1-1", .name = "", .descriptor = {}}, clock);
   EXPECT_EQ(NextFailure(channel), std::errc::io_error);
   EXPECT_EQ(NextFailure(channel), std::errc::io_error);
+}
+
+// A socket whose peer reads no more refuses a write with EPIPE, as the kernel does for a device that stalls.
+TEST(HidrawChannel, ARefusedReportIsNoPulledCable) {
+  std::signal(SIGPIPE, SIG_IGN);  // Of the socket's own; a device has none.
+  SteadyClock clock;
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends.data()), 0);
+  UniqueFd peer(ends[1]);
+  HidrawChannel channel(UniqueFd{ends[0]}, {.port = "1-1", .name = "", .descriptor = {}}, clock);
+  ASSERT_EQ(::shutdown(peer.get(), SHUT_RD), 0);
+  EXPECT_EQ(NextFailure(channel), std::errc::io_error);
+  ASSERT_EQ(::write(peer.get(), Bytes{7}.data(), 1), 1);
+  Bytes report(8);
+  const auto read = channel.Read(report);
+  ASSERT_TRUE(read) << "what it sends is still heard";
+  EXPECT_EQ(read->bytes, 1U);
+  EXPECT_EQ(NextFailure(channel), std::errc::io_error);
+  peer.reset();
+  EXPECT_EQ(NextFailure(channel), std::errc::no_such_device);
 }
 
 // A full pipe in place of a device that takes nothing.

@@ -46,11 +46,12 @@ class FakeCard final : public scanout::KmsDevice {
     connectors[connector].modes = std::move(modes);
   }
   void Pull(std::size_t connector) { connectors[connector].plugged = false; }
-  bool blind = false;        // It sees what is plugged in only when it is probed.
-  bool hotplug = false;      // It reports that something changed.
-  std::errc commit_fault{};  // Every commit fails with it, when set.
-  int most_px = 1 << 20;     // What is wider is refused,
-  int most_active = 32;      // and more screens than these at a time.
+  bool blind = false;           // It sees what is plugged in only when it is probed.
+  bool hotplug = false;         // It reports that something changed.
+  bool trains_no_link = false;  // Each link fails, and the card reports it.
+  std::errc commit_fault{};     // Every commit fails with it, when set.
+  int most_px = 1 << 20;        // What is wider is refused,
+  int most_active = 32;         // and more screens than these at a time.
 
   // The vertical blank: what was committed is presented.
   void Blank(Time at) {
@@ -121,7 +122,10 @@ class FakeCard final : public scanout::KmsDevice {
     ++commits;
     modesets += may_set_modes ? 1 : 0;
     for (const std::uint32_t crtc : touched) pending_[crtc] = token;
-    for (const auto& [object, kind, property, value] : settings) state_[{object, property}] = value;
+    for (const auto& [object, kind, property, value] : settings) {
+      state_[{object, property}] = value;
+      if (std::string_view(property) == "link-status") TrainLink(object, may_set_modes);
+    }
     return {};
   }
   Result<void> TestCommit(std::span<const scanout::KmsSetting> settings) override {
@@ -150,6 +154,12 @@ class FakeCard final : public scanout::KmsDevice {
   }
 
  private:
+  // Without a mode that is set nothing is trained.
+  void TrainLink(std::uint32_t connector, bool sets_mode) {
+    const bool is_bad = trains_no_link || !sets_mode;
+    connectors[connector - kFirstConnector].link_is_bad = is_bad;
+    hotplug = hotplug || is_bad;
+  }
   static constexpr std::size_t kPadding_bytes = 64;  // Behind each row, as cards add it.
 
   Result<void> CheckLimits(std::span<const scanout::KmsSetting> settings) const {

@@ -161,6 +161,39 @@ TEST_F(Screens, AScreenThatGivesWayToAnotherWithoutAPauseIsNoticed) {
   EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device);
 }
 
+TEST_F(Screens, OneWhoseLinkFailedIsSetUpAnew) {
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  EXPECT_EQ(card_.modesets, 1);
+  ASSERT_TRUE(screen->Acquire());
+  ASSERT_TRUE(screen->Present(++frame_));
+  card_.connectors[1].link_is_bad = true;
+  card_.hotplug = true;
+  clock_.Advance(300ms);
+  EXPECT_FALSE(screen->Acquire()) << "the flip is pending";
+  card_.Blank(clock_.now());
+  ASSERT_TRUE(screen->ReadFlip());
+  ASSERT_TRUE(Frames(*screen, 500ms));
+  EXPECT_FALSE(card_.connectors[1].link_is_bad);
+  EXPECT_FALSE(card_.state_.contains({card_.connectors[0].id, "link-status"})) << "the other one plays on";
+  ASSERT_TRUE(Frames(*screen, 20s));
+  EXPECT_EQ(card_.modesets, 2) << "once";
+}
+
+TEST_F(Screens, OneWhoseLinkFailsAgainIsSetUpNowAndThen) {
+  card_.PlugIn(0);
+  card_.connectors[0].link_is_bad = true;
+  card_.trains_no_link = true;
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 35s));
+  EXPECT_EQ(card_.modesets, 4) << "all screens wait for it each time";
+  card_.trains_no_link = false;
+  ASSERT_TRUE(Frames(*screen, 11s));
+  EXPECT_FALSE(card_.connectors[0].link_is_bad);
+}
+
 TEST_F(Screens, WithoutAHotplugReportNoScreenIsProbed) {
   card_.PlugIn(0);
   const auto screen = Open();

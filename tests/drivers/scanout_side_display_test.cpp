@@ -82,6 +82,24 @@ TEST_F(StatusScreen, LeavesTheShowItsLastScreenWhereAllAreNamed) {
   EXPECT_EQ(size_px_, std::pair(kWidth_px, kHeight_px));
 }
 
+TEST_F(StatusScreen, WhoseLinkFailedIsSetUpAnew) {
+  const auto screen = Open();
+  ASSERT_TRUE(Frame(*screen));
+  ASSERT_TRUE(ShowAll(*screen));
+  card_.Blank(clock_.now());
+  const int before = card_.modesets;
+  card_.connectors[1].link_is_bad = true;
+  card_.hotplug = true;
+  ASSERT_TRUE(Frames(*screen, 300ms));
+  EXPECT_TRUE(screen->status_display()->fresh()) << "it wants its whole picture";
+  ASSERT_TRUE(ShowAll(*screen));
+  card_.Blank(clock_.now());
+  EXPECT_FALSE(card_.connectors[1].link_is_bad);
+  EXPECT_EQ(card_.modesets, before + 1);
+  ASSERT_TRUE(Frames(*screen, 20s));
+  EXPECT_FALSE(screen->status_display()->fresh()) << "once";
+}
+
 TEST_F(StatusScreen, WhoseNameNoScreenHasIsNone) {
   preferences_.status_connector = "DP-7";
   const auto screen = Open();

@@ -14,8 +14,7 @@ namespace {
 constexpr std::size_t kMostPictureBytes = 64UL * 1024;
 // A page takes a deck some milliseconds. One that needs so long for it is slow, or does not answer.
 constexpr Duration kSlowPage = std::chrono::seconds(1);
-// A deck that refuses pages is tried again so often, and after such a pause.
-constexpr int kMostFailures = 3;
+// A deck that refuses a page is tried again after such a pause.
 constexpr Duration kPictureRetry = std::chrono::seconds(5);
 
 }  // namespace
@@ -30,7 +29,7 @@ void DeckPictures::Plug(const decode::StreamDeck& deck, std::filesystem::path fo
 
 // What the kernel says of a page that failed, it may say of the page after it: all pages of the key are sent anew.
 void DeckPictures::Show(const Keys& keys, Time now, ports::HidChannel& device, std::string_view name) {
-  if (!has_keys() || now < not_before_ || failures_ == kMostFailures) return;
+  if (!has_keys() || now < not_before_ || failures_.are_too_many()) return;
   if (next_page_ == pages_.size() && !Begin(keys)) return;
   const auto sent = device.Write(pages_[next_page_]);
   if (!sent && sent.error().cause != std::errc::resource_unavailable_try_again)
@@ -93,7 +92,7 @@ void DeckPictures::HandleFailure(const Error& error, Time now, std::string_view 
   next_page_ = pages_.size();
   shown_[key_].reset();
   not_before_ = now + kPictureRetry;
-  if (++failures_ == kMostFailures)
+  if (failures_.Note(now))
     LogWarning("{}: {}; its keys stay as they are until it is plugged in again", name, error.message());
 }
 

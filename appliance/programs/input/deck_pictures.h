@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "appliance/programs/input/transfer_failures.h"
 #include "drivers/base/clock.h"
 #include "drivers/decode/stream_deck.h"
 #include "drivers/ports/hid_channel.h"
@@ -42,7 +43,7 @@ class DeckPictures {
 
   // Sends at most one page, so that the keys come to show this; to be called every few milliseconds. Reads a
   // file where a key changes, and says in the log, once a plug each, what is wrong: a file that cannot be
-  // read, a deck that is slow, one that takes no picture at the third try. `name` is for the log.
+  // read, a deck that is slow, one that takes no picture at the third try in a minute. `name` is for the log.
   void Show(const Keys& keys, Time now, ports::HidChannel& device, std::string_view name);
 
  private:
@@ -63,7 +64,7 @@ class DeckPictures {
   std::size_t next_page_ = 0;
   std::optional<Time> waits_since_;  // The deck has not taken the page before.
   bool told_slow_ = false;
-  int failures_ = 0;
+  TransferFailures failures_;
   Time not_before_{};
   std::set<std::filesystem::path> told_files_;
 };

@@ -8,8 +8,7 @@ namespace kaori::input {
 namespace {
 
 // The kernel can wait seconds for a box that does not answer (the timeout of a USB control transfer is 5 s),
-// and all other input waits with it: three tries per plug are enough.
-constexpr int kMaxLampFailures = 3;
+// and all other input waits with it: three tries in a minute are enough.
 constexpr Duration kLampRetry = std::chrono::seconds(5);
 // Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see
 // them.
@@ -37,7 +36,7 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   passed_on_ = {};
   lit_.reset();
   lamps_after_ = now;
-  lamp_failures_ = 0;
+  lamp_failures_ = {};
   plugged_ = now;
   held_confirmed_ = false;
   deck_ = decode::StreamDeckOf(identity.vendor, identity.product);
@@ -119,20 +118,20 @@ void DialSlot::Tick(Time now, ports::HidChannel* device) {
 }
 
 // A box that is busy is told at the next tick; a box that is gone is noticed when it is read. Only other
-// failures count against the plug, and the first two of them are tried again in silence.
+// failures count against the plug, and the first two of them in a minute are tried again in silence.
 void DialSlot::ShowLamps(Time now, ports::HidChannel& device) {
   const std::uint32_t on_board = board_.Read<board::Lamps>().value.lit;
   std::uint32_t lit = 0;
   for (std::size_t n = 0; n < map_->buttons.size(); ++n)
     if (map_->buttons[n]) lit |= (on_board >> *map_->buttons[n] & 1U) << n;
   const bool same = lit_ == lit && now - told_ < kRepaint;
-  if (same || now < lamps_after_ || lamp_failures_ == kMaxLampFailures) return;
+  if (same || now < lamps_after_ || lamp_failures_.are_too_many()) return;
   const auto report = decoder_->LampReport(lit);
   const auto told = report.empty() ? Result<void>{} : device.Write(report);
   if (told) lit_ = lit, told_ = now;
   if (told || told.error().cause == std::errc::resource_unavailable_try_again) return;
   lamps_after_ = now + kLampRetry;
-  if (++lamp_failures_ == kMaxLampFailures)
+  if (lamp_failures_.Note(now))
     LogWarning("{}; the lamps of the {} stay as they are until it is plugged in again",
                told.error().message(), name());
 }

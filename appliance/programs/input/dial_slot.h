@@ -12,6 +12,7 @@
 #include "appliance/programs/input/learnt_turns.h"
 #include "appliance/programs/input/surface_map.h"
 #include "appliance/programs/input/surface_section.h"
+#include "appliance/programs/input/transfer_failures.h"
 #include "drivers/decode/dial_box.h"
 
 namespace kaori::input {
@@ -74,7 +75,7 @@ class DialSlot final : public DeviceSlot {
   // No lamp report is sent before this time.
   Time lamps_after_{};
   // Since the plug.
-  int lamp_failures_ = 0;
+  TransferFailures lamp_failures_;
   // 0 keys: it is none.
   decode::StreamDeck deck_{};
   DeckPictures pictures_;

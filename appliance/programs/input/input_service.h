@@ -88,6 +88,9 @@ class InputService {
   int attached_devices() const;
 
  private:
+  // The pause before a device that is present and cannot be opened, or a bus that failed, is tried again.
+  static constexpr Duration kRetry = std::chrono::milliseconds(250);
+
   struct Bus {
     ports::HidBus* bus = nullptr;
     // Why it cannot list its ports: it is asked again now and then, and not waited for.
@@ -135,8 +138,8 @@ class InputService {
   void TryToAttach(const BusPort& port, Time now);
   // Leaves a port alone until its device is pulled, or until a slot of this kind becomes free.
   void Skip(const BusPort& port, decode::DeviceKind kind, const std::string& why);
-  // A device that is there and cannot be opened: tried again every 250 ms.
-  void RetryLater(const BusPort& port, const Error& error, Time now);
+  // A device that is there and cannot be opened: tried again every 250 ms, or later where the attempt took long.
+  void RetryLater(const BusPort& port, const Error& error, Duration took);
   // The free slot for a device of this kind at this port; null where there is none.
   Binding* BindingFor(decode::DeviceKind kind, const BusPort& port);
   Binding* StickBinding(const BusPort& port);
@@ -151,7 +154,7 @@ class InputService {
   bool IsAttached(const BusPort& port) const;
 
   const board::Board& board_;
-  // All times are of this clock, CLOCK_MONOTONIC: it is read once in each step.
+  // All times are of this clock, CLOCK_MONOTONIC: it is read once in each step, and after calls that may take long.
   const Clock& clock_;
   std::vector<Bus> buses_;
   LineInputs lines_;

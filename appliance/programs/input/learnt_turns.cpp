@@ -10,6 +10,7 @@
 #include "appliance/core/toml/value.h"
 #include "appliance/programs/input/settings.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
@@ -94,6 +95,7 @@ Result<void> LearntTurns::Keep(const ports::HidIdentity& identity, int counts) {
   for (const Device& one : devices)
     text += fmt::format("\n[[device]]\nusb = \"{}\"\nname = \"{}\"\ncounts_per_turn = {}\n", one.usb,
                         one.name, one.counts);
+  ExpectLongCall();  // A worn card may take seconds for what is to be safe on it.
   if (auto written = WriteWholeFile(file_, {AsBytes(text)}); !written) return written;
   devices_ = std::move(devices);
   return {};

@@ -17,14 +17,14 @@ inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 
 // Used by one thread. It starts from what the section holds: a line that was active before a restart and
 // still is counts as one push, and one for GO, BACK or PANIC calls it then. Lines that are absent or were lost are opened
-// again every second.
+// again every second, or seldom where that takes long: a chip that does not answer costs a twentieth of the time.
 class LineInputs {
  public:
-  // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
-  // `wired` is as Lines has it.
+  // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept, and the
+  // clock is borrowed. `wired` is as Lines has it.
   // `open` may be called any number of times, from Step alone.
   LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
-             ports::GpioOpener open, std::uint32_t wired = board::kEveryLine);
+             ports::GpioOpener open, const Clock& clock, std::uint32_t wired = board::kEveryLine);
 
   // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip
   // needs.
@@ -44,8 +44,8 @@ class LineInputs {
  private:
   // Tries to open the lines; on success begins with them as they stand.
   void Open(Time now);
-  // Reads all levels and makes the section live.
-  void Begin(Time now);
+  // Makes the section live.
+  void Begin(std::uint32_t levels, Time now);
   // Settles the edges that wait, each at the kernel's time of it.
   void HandleEdges(Time now);
   // Asks for all levels, since the kernel may have dropped edges.
@@ -53,6 +53,8 @@ class LineInputs {
   // Brings one line of the board up to its level, unless it changed within the bounce.
   void Settle(std::uint32_t line, Time at);
   void SettleAll(Time now);
+  // A transfer failed: it is passed over, unless the chip is gone or many failed in a row.
+  void HandleFault(const Error& error, Time now);
   // The chip is gone: all lines are released, and it is opened again later.
   void HandleLoss(const Error& error, Time now);
   // All lines of the board are let go, and the section is stale.
@@ -63,6 +65,8 @@ class LineInputs {
   board::Caller caller_;
   // How the lines are opened; empty where the box has none.
   ports::GpioOpener open_;
+  // That of the times which Step is given: asked again after a call that may have taken long.
+  const Clock& clock_;
   std::unique_ptr<ports::GpioLines> lines_;
   // The section as it was published last.
   board::Lines value_;
@@ -70,6 +74,10 @@ class LineInputs {
   std::uint32_t levels_ = 0;  // As last reported, bit n for line n; the board follows once a line settled.
   std::array<Time, 32> changed_at_{};  // When each line last changed on the board.
   std::optional<bool> shown_tally_;    // As the lamp was last switched; empty after the lines were opened.
+  bool has_edges_ = false;             // Since all levels were read.
+  // Failed transfers in a row, and when the last of them was.
+  int faults_ = 0;
+  Time fault_at_{};
   Time retry_at_{};
   std::errc logged_{};  // Why opening failed last: the same cause is not logged again.
   std::uint32_t generation_ = 0;

@@ -36,10 +36,16 @@ float BrightnessOf(const decode::Planes& planes) {
   return std::clamp(planes.full_range ? luma / 255 : (luma - 16) / 219, 0.0F, 1.0F);
 }
 
-// Another opening means another search, and a mode that may have changed is one line in the log.
+// Another opening means another search, and a mode that may have changed is one line in the log. Of another model
+// nothing is held: it finds its exposure by itself, as the first one did.
 void CameraExposure::Opened() {
   finding_since_.reset();
-  if (tuning_ == nullptr || tuning_->mode() == mode_) return;
+  if (tuning_ == nullptr) return;
+  if (held_ && !tuning_->holds()) {
+    held_ = dark_logged_ = false;
+    Log("lip camera: another one; exposure and colours are found anew");
+  }
+  if (tuning_->mode() == mode_) return;
   mode_ = tuning_->mode();
   Log("lip camera: {}", mode_);
 }
@@ -91,12 +97,19 @@ void CameraExposure::Free() {
   if (tuning_ != nullptr) tuning_->Set(ports::CameraHold::kFree);
 }
 
-// Controls that the camera lacks are named once: without them the picture may drift during the show.
+// Controls that the camera lacks are named once: without them the picture may drift during the show. Where no camera
+// is there, the next one is held once it has found its exposure.
 void CameraExposure::Hold() {
   held_ = true;
   freed_ = false;
   if (tuning_ == nullptr) return;
   const auto missing = tuning_->Set(ports::CameraHold::kHeld);
+  held_ = tuning_->holds();
+  if (!held_) {
+    LogWarning(
+        "lip camera: none is there to be held; it will be once it is there and has found its exposure");
+    return;
+  }
   Log("lip camera: exposure and colours are held as they are");
   if (missing != missing_ && !missing.empty())
     LogWarning("lip camera: these controls cannot be held: {}", fmt::join(missing, ", "));

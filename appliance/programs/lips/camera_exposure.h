@@ -29,7 +29,7 @@ class CameraExposure {
   // Borrows the tuning; null means a camera without any.
   explicit CameraExposure(ports::CameraTuning* tuning) : tuning_(tuning) {}
 
-  // Call it after the camera was opened.
+  // Call it after the camera was opened. Where it is another model than the one that is held, it is held no more.
   void Opened();
 
   // Examines a picture. Returns true where the camera must be opened again: it will be slower and see more.
@@ -38,7 +38,7 @@ class CameraExposure {
   bool Observe(const decode::Planes& planes, Time now);
 
   // Free() lets the camera adjust itself for a calibration, and Hold() ends that. Freed this way it stays
-  // free until Hold(), after which it is not judged again.
+  // free until Hold(), after which it is not judged again, unless there was no camera that could be held.
   void Free();
   void Hold();
   // Exposure and colours are held now, over openings of the camera too.

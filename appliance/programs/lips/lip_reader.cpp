@@ -11,7 +11,6 @@ using std::chrono::milliseconds;
 // After this time the lips are stale. With a step every 25 ms and one frame of the stage the face leaves them
 // within 200 ms.
 constexpr Duration kSilence = milliseconds(150);
-constexpr Duration kRetry = milliseconds(250);
 constexpr Duration kGiveUp =
     milliseconds(2000);  // A stream that was silent for this long does not resume by itself.
 constexpr Duration kDropLogPeriod = std::chrono::seconds(10);
@@ -28,6 +27,7 @@ LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board:
       clock_(clock),
       meter_(settings, board.Read<board::Lips>().value),
       exposure_(tuning),
+      reopening_("lip camera", clock, Duration{}),
       source_(board.Read<board::Lips>().source),
       last_frame_(clock.now()),
       last_activity_(clock.now()) {}
@@ -35,20 +35,18 @@ LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board:
 // One frame a step: a camera that has more ready is readable again at once, and the board and the loudspeaker
 // get their turn in between.
 void LipReader::Step() {
-  const Time now = clock_.now();
-  if (!camera_ && now >= retry_at_) TryOpen(now);
+  if (!camera_ && reopening_.IsDue(clock_.now())) TryOpen();
+  const Time now = clock_.now();  // The opening may have taken long.
   if (camera_) HandleFrame(now);
   CheckSilence(now);
 }
 
-// After a time-out the opening is no news.
-void LipReader::TryOpen(Time now) {
-  retry_at_ = now + kRetry;
-  camera_ = OpenOrLog(open_, logged_);
+// Silence counts from the end of the opening.
+void LipReader::TryOpen() {
+  camera_ = reopening_.Open(open_);
   if (!camera_) return;
-  last_activity_ = opened_at_ = now;
+  last_activity_ = clock_.now();
   ++opened_;
-  if (logged_ != std::errc::timed_out) Log("lip camera: opened");
   exposure_.Opened();
 }
 
@@ -62,7 +60,7 @@ void LipReader::HandleFrame(Time now) {
     case std::errc::bad_message:
       return Drop(frame.error(), now);
     default:
-      return Close(now, frame.error().message());
+      return Close(frame.error());
   }
 }
 
@@ -80,12 +78,10 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   if (!knew_rest && meter_.lips().rest_width > 0)
     Log("lip camera: the mouth at rest is {:.3f} of the picture wide", meter_.lips().rest_width);
   last_frame_ = last_activity_ = now;
-  logged_ = {};
+  reopening_.NoteDelivery();
   Write(at, board::SourceState::kLive);
   if (watcher_) watcher_(*planes, meter_, at);
-  if (!exposure_.Observe(*planes, now)) return;
-  camera_.reset();
-  retry_at_ = now;
+  if (exposure_.Observe(*planes, now)) reopening_.Close(camera_);
 }
 
 // A bad cable may damage every other frame, so that only one line in ten seconds says so.
@@ -96,12 +92,9 @@ void LipReader::Drop(const Error& error, Time now) {
 }
 
 // A camera that had sent frames is opened again at once; one that fails as it is opened has to wait.
-void LipReader::Close(Time now, std::string_view why) {
-  camera_.reset();
-  retry_at_ = last_frame_ > opened_at_ ? now : now + kRetry;
-  LogWarning("{}; the lip camera is opened again", why);
+void LipReader::Close(const Error& why) {
+  reopening_.Close(camera_, why);
   silence_log_.Lost();
-  logged_ = std::errc::no_such_device;
   if (source_ == board::SourceState::kLive) Write(last_frame_, board::SourceState::kStale);
 }
 
@@ -112,11 +105,10 @@ void LipReader::CheckSilence(Time now) {
     Write(last_frame_, board::SourceState::kStale);
   }
   if (!camera_ || now - last_activity_ < kGiveUp) return;
-  if (logged_ != std::errc::timed_out)
-    LogWarning("lip camera: no frame for {} s; the camera is opened again", kGiveUp / milliseconds(1000));
-  logged_ = std::errc::timed_out;
-  camera_.reset();
-  retry_at_ = now;
+  reopening_.Close(camera_,
+                   {.cause = std::errc::timed_out,
+                    .attempt = fmt::format("lip camera: no frame for {} s", kGiveUp / milliseconds(1000)),
+                    .kind = ErrorKind::kInput});
 }
 
 // The end of a silence is logged where its beginning was (SilenceLog).

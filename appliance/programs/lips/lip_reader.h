@@ -10,6 +10,7 @@
 #include "appliance/programs/lips/camera_exposure.h"
 #include "appliance/programs/lips/lip_meter.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/reopening.h"
 #include "drivers/base/silence_log.h"
 #include "drivers/decode/planes.h"
 #include "drivers/ports/camera.h"
@@ -18,7 +19,8 @@ namespace kaori::lips {
 
 // Used by one thread. After 150 ms without a frame, or when the camera is gone, the section becomes stale and
 // its sizes stay. A camera that is gone, or that sent nothing for 2 s, is opened again at once and then every
-// 250 ms. A damaged frame is dropped; one line in ten seconds says so.
+// 250 ms, or less often where it opens and sends no frame (Reopening). A damaged frame is dropped; one line in ten
+// seconds says so.
 class LipReader {
  public:
   // Goes on from what `board` holds; the board is not kept. Borrows the clock, and `tuning`, which belongs to
@@ -51,8 +53,8 @@ class LipReader {
   int opened() const { return opened_; }  // How often a camera was opened.
 
  private:
-  // Tries to open the camera; not again before a quarter of a second has passed.
-  void TryOpen(Time now);
+  // Tries to open the camera.
+  void TryOpen();
   // Asks the camera for its next frame, and handles what comes or why none does.
   void HandleFrame(Time now);
   // One frame from its bytes to the board.
@@ -60,7 +62,7 @@ class LipReader {
   // A damaged frame: what was measured before it stays.
   void Drop(const Error& error, Time now);
   // The camera failed: the section becomes stale and the camera is opened again.
-  void Close(Time now, std::string_view why);
+  void Close(const Error& why);
   // A camera that sends nothing: stale after 150 ms, opened again after 2 s.
   void CheckSilence(Time now);
   // Publishes the meter's sizes with this stamp and state.
@@ -75,17 +77,15 @@ class LipReader {
   // Makes planes of luma and chroma out of any format that the camera sends, a compressed one included.
   decode::PlaneReader planes_;
   std::unique_ptr<ports::Camera> camera_;
+  Reopening reopening_;
   // Of the section, as it was written last.
   board::SourceState source_;
   // Of the newest frame, to log a change of it.
   ports::CameraFormat format_;
-  Time last_frame_;     // When the newest valid frame was measured.
-  Time last_activity_;  // When the camera was opened, or sent its last valid frame.
-  Time opened_at_{};
-  Time retry_at_{};
+  Time last_frame_;         // When the newest valid frame was measured.
+  Time last_activity_;      // When the camera was opened, or sent its last valid frame.
   Time log_drops_after_{};  // A dropped frame is not logged before this time.
   SilenceLog silence_log_{"lip camera", "the lips are stale"};
-  std::errc logged_{};  // The failure that was logged last; the same is not logged again.
   int opened_ = 0;
   // Who looks at each picture after the board was written; may be empty.
   Watcher watcher_;

@@ -83,6 +83,11 @@ void LibcameraHold::Set(ports::CameraHold hold) {
   ++changes_;
 }
 
+bool LibcameraHold::holds() const {
+  const std::lock_guard lock(mutex_);
+  return held_.has_value();
+}
+
 // Controls that the camera has not are left out. While nothing is held it chooses by itself.
 void LibcameraHold::Write(const libcamera::ControlInfoMap& has, libcamera::ControlList& list) const {
   const std::lock_guard lock(mutex_);

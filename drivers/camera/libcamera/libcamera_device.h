@@ -25,6 +25,7 @@ class LibcameraHold {
   // Holds what was noted last, or frees the automatics; counts for the
   // requests that are queued afterwards.
   void Set(ports::CameraHold hold);
+  bool holds() const;
 
   // Adds to `list` the controls that are to be set, of those that the camera has.
   void Write(const libcamera::ControlInfoMap& has, libcamera::ControlList& list) const;

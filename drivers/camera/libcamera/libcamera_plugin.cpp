@@ -40,6 +40,7 @@ class Libcamera final : public CameraLibrary {
     hold_.Set(hold);
     return lacks_;
   }
+  bool holds() const override { return hold_.holds(); }
   // A camera that was never opened has told no rates, and so has no slower rung.
   bool Slower() override {
     if (!FrameTimeOf(times_, rung_ + 1)) return false;

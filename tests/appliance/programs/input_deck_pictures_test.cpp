@@ -75,6 +75,20 @@ TEST_F(OneDeck, ThatRefusesPicturesIsTriedThreeTimesAndIsOneLine) {
   EXPECT_EQ(channel_.writes, 3);
 }
 
+TEST_F(OneDeck, ThatRefusesAPageEachMinuteShowsAllPicturesAllTheSame) {
+  bool refuses = false;
+  channel_.answer = [&](int, FakeDeck::Page) {
+    return std::exchange(refuses, false) ? Result<void>(Fail(std::errc::io_error, "write")) : Result<void>{};
+  };
+  for (int minute = 0; minute < 5; ++minute) {
+    const auto before = channel_.pages.size();
+    keys_[0] = {kSmile, minute % 2 == 0};
+    refuses = true;
+    EXPECT_THAT(Show(std::chrono::seconds(60)), IsEmpty());
+    EXPECT_GT(channel_.pages.size(), before) << "in minute " << minute;
+  }
+}
+
 TEST_F(OneDeck, APageThatFailedBeginsItsPictureAnew) {
   keys_[0] = {kSmile, false};
   Put(fmt::format("72/{:016x}.jpg", kSmile), std::string(3000, 'x'));

@@ -154,6 +154,24 @@ TEST_F(Faults, OfTheLampsAreTriedThreeTimesAndThenLeftUntilTheNextPlug) {
   EXPECT_EQ(fault_.written, 4);
 }
 
+TEST_F(Faults, OfTheLampsThatAreAMinuteApartAreForgotten) {
+  const auto play = [&](Duration time) {
+    for (const Time end = clock_.now() + time; clock_.now() < end;) {
+      clock_.Advance(milliseconds(10));
+      service_->Step();
+    }
+  };
+  for (int minute = 0; minute < 5; ++minute) {
+    fault_.write = std::errc::io_error;
+    play(seconds(2));
+    fault_.write = {};
+    play(seconds(58));
+  }
+  const int before = fault_.written;
+  play(seconds(10));
+  EXPECT_GE(fault_.written - before, 9) << "they are still told again";
+}
+
 TEST_F(Faults, OfABoxThatForgetsItsLampsLastASecond) {
   Play(milliseconds(100));
   const int before = fault_.written;

@@ -1,16 +1,11 @@
 // Foot switches: contacts that bounce, edges that the kernel drops, and chips that come and go.
 #include <sys/eventfd.h>
 
-#include <algorithm>
-#include <deque>
-
 #include <gtest/gtest.h>
 
-#include "appliance/core/board/lines.h"
 #include "appliance/programs/input/input_service.h"
-#include "appliance/programs/input/line_inputs.h"
 #include "appliance/programs/input/tally.h"
-#include "tests/appliance/core/board_file.h"
+#include "tests/appliance/programs/input_lines_fixture.h"
 
 namespace kaori::input {
 namespace {
@@ -18,78 +13,7 @@ namespace {
 using board::SourceState;
 using std::chrono::milliseconds;
 
-// The contacts of foot switches, and a chip that can be pulled; it outlives the lines.
-struct FakeChip {
-  std::uint32_t levels = 0;
-  std::deque<ports::GpioEdge> edges;
-  bool there = true;
-  int fd = -1;
-  int opened = 0;
-  std::vector<bool> lamp;   // What output 0 was told.
-  bool lamp_waits = false;  // It cannot be told now.
-};
-
-class FakeLines final : public ports::GpioLines {
- public:
-  explicit FakeLines(FakeChip& chip) : chip_(chip) {}
-  int pollable() const override { return chip_.fd; }
-  Result<std::uint32_t> Levels() override {
-    if (!chip_.there) return Fail(std::errc::no_such_device, "read lines");
-    return chip_.levels;
-  }
-  Result<ports::GpioEdge> ReadEdge() override {
-    if (!chip_.there) return Fail(std::errc::no_such_device, "read lines");
-    if (chip_.edges.empty()) return Fail(std::errc::resource_unavailable_try_again, "read lines");
-    const ports::GpioEdge edge = chip_.edges.front();
-    chip_.edges.pop_front();
-    return edge;
-  }
-  Result<void> Drive(std::uint32_t, bool lit) override {
-    if (chip_.lamp_waits) return Fail(std::errc::resource_unavailable_try_again, "drive a line");
-    chip_.lamp.push_back(lit);
-    return {};
-  }
-
- private:
-  FakeChip& chip_;
-};
-
-class Lines : public ::testing::Test {
- protected:
-  Lines() : board_(file_.Open()) { Start(); }
-
-  void Start() {
-    service_.reset();
-    service_.emplace(board_, board_.AcquireWriter<board::Lines>().value(),
-                     board::Caller::Acquire(board_, board::CallWriter::kInput).value(), Opener());
-    service_->Step(now_);
-  }
-  ports::GpioOpener Opener() {
-    return [this]() -> Result<std::unique_ptr<ports::GpioLines>> {
-      ++chip_.opened;
-      if (!chip_.there) return Fail(std::errc::no_such_device, "open GPIO chip");
-      return std::make_unique<FakeLines>(chip_);
-    };
-  }
-  // A contact changes now, and the kernel queues the edge.
-  void Contact(std::uint32_t line, bool active) {
-    chip_.levels = active ? chip_.levels | (1U << line) : chip_.levels & ~(1U << line);
-    chip_.edges.push_back({now_, line, active});
-  }
-  void Wait(Duration time) {
-    for (Duration t{}; t < time; t += milliseconds(1)) {
-      now_ += milliseconds(1);
-      service_->Step(now_);
-    }
-  }
-  board::Stamped<board::Lines> Read() const { return board_.Read<board::Lines>(); }
-
-  board::BoardFile file_;
-  board::Board board_;
-  FakeChip chip_;
-  Time now_ = Time{} + std::chrono::seconds(100);
-  std::optional<LineInputs> service_;
-};
+class Lines : public LinesFixture {};
 
 TEST_F(Lines, CountPushesOfFootSwitchesAndSurviveARestart) {
   for (const bool active : {true, false, true}) {
@@ -104,7 +28,7 @@ TEST_F(Lines, CountPushesOfFootSwitchesAndSurviveARestart) {
 }
 
 TEST_F(Lines, CallGoAtTheMomentAtWhichTheFootSwitchWentDown) {
-  const Time trodden = now_;
+  const Time trodden = clock_.now();
   Contact(0, true);
   Contact(2, true);
   Wait(milliseconds(50));
@@ -152,9 +76,9 @@ TEST_F(Lines, CountABouncingContactOnce) {
 
 TEST_F(Lines, ShowAPushAtOnceAndReleaseATapThatWasShorterThanABounce) {
   Contact(0, true);
-  service_->Step(now_);
+  service_->Step(clock_.now());
   EXPECT_EQ(Read().value.active, 1U);
-  EXPECT_EQ(Read().at, now_);
+  EXPECT_EQ(Read().at, clock_.now());
   Wait(milliseconds(3));
   Contact(0, false);
   Wait(milliseconds(20));
@@ -172,8 +96,8 @@ TEST_F(Lines, AreNotHeldForEverByAnEdgeThatTheKernelDropped) {
 }
 
 TEST_F(Lines, IgnoreEdgesOfLinesThatDoNotExist) {
-  chip_.edges.push_back({now_, 32, true});
-  chip_.edges.push_back({now_, 0xFFFFFFFF, true});
+  chip_.edges.push_back({clock_.now(), 32, true});
+  chip_.edges.push_back({clock_.now(), 0xFFFFFFFF, true});
   Wait(milliseconds(20));
   EXPECT_EQ(Read().value.active, 0U);
 }
@@ -186,8 +110,8 @@ TEST_F(Lines, CountAPushDuringARestartAndNotASwitchThatWasHeldAtTheFirstStart) {
   const board::BoardFile another;
   const board::Board new_board = another.Open();
   LineInputs service(new_board, new_board.AcquireWriter<board::Lines>().value(),
-                     board::Caller::Acquire(new_board, board::CallWriter::kInput).value(), Opener());
-  service.Step(now_);
+                     board::Caller::Acquire(new_board, board::CallWriter::kInput).value(), Opener(), clock_);
+  service.Step(clock_.now());
   EXPECT_EQ(new_board.Read<board::Lines>().value.active, 1U);
   EXPECT_EQ(new_board.Read<board::Lines>().value.pushes[0], 0U);
 }
@@ -207,6 +131,47 @@ TEST_F(Lines, AreReleasedWhenTheChipIsPulledAndComeBackWithIt) {
   Wait(milliseconds(1100));
   EXPECT_EQ(Read().source, SourceState::kLive);
   EXPECT_EQ(Read().value.active, 8U);
+}
+
+TEST_F(Lines, AreHeldAndLoseNoGoWhereSingleTransfersFail) {
+  Contact(2, true);
+  Wait(milliseconds(50));
+  for (int n = 0; n < 60; ++n) {
+    chip_.failing_edges = chip_.failing_levels = 1;
+    Contact(0, n % 2 == 0);
+    Wait(milliseconds(50));
+    ASSERT_EQ(Read().source, SourceState::kLive) << n;
+    ASSERT_EQ(Read().value.active, n % 2 == 0 ? 5U : 4U) << n;
+  }
+  EXPECT_EQ(board_.Read<board::Calls>().value.count, 30U) << "one for each time that it goes down";
+  EXPECT_EQ(chip_.opened, 1);
+}
+
+TEST_F(Lines, AreLostWhereAllTransfersFail) {
+  Contact(2, true);
+  Wait(milliseconds(50));
+  chip_.failing_edges = 24;
+  Wait(milliseconds(100));
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  Wait(milliseconds(1100));
+  chip_.failing_edges = 25;
+  Wait(milliseconds(100));
+  EXPECT_EQ(Read().source, SourceState::kStale);
+  EXPECT_EQ(Read().value.active, 0U);
+  Wait(milliseconds(1100));
+  EXPECT_EQ(Read().source, SourceState::kLive);
+}
+
+TEST_F(Lines, AreHeldWhereTheFirstLookAtThemFails) {
+  Contact(2, true);
+  Wait(milliseconds(50));
+  chip_.failing_levels = 1;
+  Start();
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  Wait(milliseconds(1100));
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  EXPECT_EQ(Read().value.active, 4U);
+  EXPECT_EQ(Read().value.pushes[2], 1U);
 }
 
 TEST_F(Lines, AreReleasedWhereTheChipWasPulledWhileTheProgramWasAway) {
@@ -277,9 +242,8 @@ TEST_F(Lines, AreNoLongerWaitedForOnceTheyAreLost) {
   service_.reset();
   const UniqueFd readable(::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK));
   chip_.fd = readable.get();
-  ManualClock clock(now_);
   InputService service(board_, InputWriters::Acquire(board_).value(), {.buses = {}, .lines = Opener()}, {},
-                       clock);
+                       clock_);
   service.Step();
   ASSERT_EQ(service.pollables(), std::vector<int>{readable.get()});
   const auto generation = service.generation();

@@ -22,10 +22,12 @@ class RestingLines final : public ports::GpioLines {
 TEST(WiredLines, AreToldOnTheBoard) {
   const board::BoardFile file;
   const board::Board board = file.Open();
+  const ManualClock clock;
   LineInputs lines(
       board, board.AcquireWriter<board::Lines>().value(),
       board::Caller::Acquire(board, board::CallWriter::kInput).value(),
-      []() -> Result<std::unique_ptr<ports::GpioLines>> { return std::make_unique<RestingLines>(); }, 0b0101);
+      []() -> Result<std::unique_ptr<ports::GpioLines>> { return std::make_unique<RestingLines>(); }, clock,
+      0b0101);
   EXPECT_EQ(board.Read<board::Lines>().value.wired, board::kEveryLine)
       << "until it is known all of them may be";
   lines.Step(Time{} + std::chrono::seconds(100));

@@ -25,8 +25,11 @@ class Tuning final : public ports::CameraTuning {
   std::string mode() const override { return rates[rung]; }
   std::optional<float> exposure() const override { return exposed; }
   std::vector<std::string> Set(CameraHold to) override {
-    holds.push_back(to);
+    holds_of_it.push_back(to);
     return lacks;
+  }
+  bool holds() const override {
+    return there && !holds_of_it.empty() && holds_of_it.back() == CameraHold::kHeld;
   }
   bool Slower() override {
     if (rung + 1 == rates.size()) return false;
@@ -38,7 +41,8 @@ class Tuning final : public ports::CameraTuning {
   std::size_t rung = 0;
   std::optional<float> exposed = 1.0F;
   std::vector<std::string> lacks;
-  std::vector<CameraHold> holds;
+  std::vector<CameraHold> holds_of_it;
+  bool there = true;  // And the model that it was.
 };
 
 class Exposure : public ::testing::Test {
@@ -72,7 +76,7 @@ TEST_F(Exposure, NamesTheModeOnceAndHoldsTheCameraWhenItHasFoundItsExposure) {
     EXPECT_FALSE(See(150, milliseconds(3000)));
   });
   EXPECT_TRUE(exposure_.held());
-  EXPECT_THAT(tuning_.holds, ::testing::ElementsAre(CameraHold::kHeld));
+  EXPECT_THAT(tuning_.holds_of_it, ::testing::ElementsAre(CameraHold::kHeld));
   EXPECT_THAT(
       log,
       testing::StrEq(
@@ -131,10 +135,44 @@ TEST_F(Exposure, FreesTheCameraForACalibrationAndHoldsItAfterwards) {
     exposure_.Hold();
     EXPECT_FALSE(See(40, std::chrono::seconds(10))) << "an exposure that a person holds is not judged";
   });
-  EXPECT_THAT(tuning_.holds, ::testing::ElementsAre(CameraHold::kHeld, CameraHold::kFree, CameraHold::kHeld));
+  EXPECT_THAT(tuning_.holds_of_it,
+              ::testing::ElementsAre(CameraHold::kHeld, CameraHold::kFree, CameraHold::kHeld));
   const auto first = log.find("cannot be held: focus");
   EXPECT_NE(first, log.npos);
   EXPECT_EQ(log.find("cannot be held", first + 1), log.npos) << "named once: " << log;
+}
+
+TEST_F(Exposure, IsFoundAnewWhereAnotherModelIsPluggedIn) {
+  const std::string log = LogOf([&] {
+    exposure_.Opened();
+    EXPECT_FALSE(See(150, milliseconds(2500)));
+    EXPECT_TRUE(exposure_.held());
+    exposure_.Opened();
+    EXPECT_TRUE(exposure_.held()) << "the same one";
+    tuning_.there = false;
+    exposure_.Opened();
+    EXPECT_FALSE(exposure_.held());
+    tuning_.there = true;
+    EXPECT_FALSE(See(150, milliseconds(2500)));
+  });
+  EXPECT_TRUE(exposure_.held());
+  EXPECT_THAT(log, HasSubstr("another one; exposure and colours are found anew"));
+  EXPECT_THAT(tuning_.holds_of_it, ::testing::ElementsAre(CameraHold::kHeld, CameraHold::kHeld));
+}
+
+TEST_F(Exposure, IsNotSaidToBeHeldWhereNoCameraIsThere) {
+  const std::string log = LogOf([&] {
+    exposure_.Free();
+    tuning_.there = false;
+    exposure_.Hold();
+    EXPECT_FALSE(exposure_.held());
+    tuning_.there = true;
+    exposure_.Opened();
+    EXPECT_FALSE(See(150, milliseconds(2500)));
+  });
+  EXPECT_TRUE(exposure_.held()) << "once it has found its exposure";
+  EXPECT_THAT(log, HasSubstr("none is there to be held"));
+  EXPECT_EQ(log.find("are held as they are"), log.rfind("are held as they are"));
 }
 
 TEST_F(Exposure, LeavesACameraAloneThatHasNothingToTune) {

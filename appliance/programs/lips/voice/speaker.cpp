@@ -6,14 +6,14 @@
 
 #include "appliance/core/board/snapshot.h"
 #include "drivers/base/log.h"
-#include "drivers/base/source.h"
 
 namespace kaori::voice {
 namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Duration kRetry = milliseconds(250);
+// The pause before a loudspeaker that had played is opened again.
+constexpr Duration kSpeakerAfterLoss = milliseconds(250);
 // How much sound waits in the device, which is how late the program may be. A device that ran dry gets more,
 // and that shrinks again by a millisecond each second.
 constexpr Duration kMinLead = milliseconds(20), kMoreLead = milliseconds(10), kMaxLead = milliseconds(50);
@@ -24,6 +24,9 @@ constexpr double kPlayoutShare = 0.05;  // The weight of a new playout time.
 // A device that has accepted nothing for this long is closed and opened again: some drivers say "later" for
 // ever after a cable was pulled.
 constexpr Duration kStuck = milliseconds(1000);
+// A device that plays nothing accepts sound all the same, until its buffer is full. One that has accepted half of
+// this time and of all that follows plays.
+constexpr Duration kPlays = milliseconds(400);
 constexpr Duration kPublishPeriod = milliseconds(100);
 constexpr Duration kDelayLogPeriod = std::chrono::seconds(10);  // Between two log lines about the delay.
 // 0.1 s at most in one step: more than is ever wanted, and a bound for a device that accepts without end.
@@ -48,30 +51,30 @@ Speaker::Speaker(ports::LoudspeakerOpener open, const board::Board& board, board
       writer_(std::move(writer)),
       clock_(clock),
       choice_(settings.delay, board.Read<board::Sound>()),
-      motion_sound_(std::move(settings.clips)) {
+      motion_sound_(std::move(settings.clips)),
+      reopening_("loudspeaker", clock, kSpeakerAfterLoss) {
   chunk_.reserve(kChunk * 8);
 }
 
 // The delay is chosen and the motion followed in each step, with a loudspeaker and without one.
 void Speaker::Step() {
-  const Time now = clock_.now();
   motion_sound_.Follow(board_.Read<board::MotionNow>());
-  choice_.Choose(board::ReadAll(board_), now);
-  if (!loudspeaker_ && now >= retry_at_) TryOpen(now);
+  choice_.Choose(board::ReadAll(board_), clock_.now());
+  if (!loudspeaker_ && reopening_.IsDue(clock_.now())) TryOpen();
+  const Time now = clock_.now();  // The opening may have taken long.
   if (loudspeaker_) Fill(now);
   if (now - published_at_ >= kPublishPeriod) Publish(now);
 }
 
 // Nothing is known yet of when a frame will be heard: the first chunks are silent and find that out.
-void Speaker::TryOpen(Time now) {
-  retry_at_ = now + kRetry;
-  loudspeaker_ = OpenOrLog(open_, logged_);
+void Speaker::TryOpen() {
+  loudspeaker_ = reopening_.Open(open_);
   if (!loudspeaker_) return;
   heard_next_.reset();
   chunk_.clear();
   pushed_ = 0;
-  stuck_since_ = filled_at_ = now;
-  Log("loudspeaker: opened");
+  opened_at_ = stuck_since_ = filled_at_ = clock_.now();
+  accepted_ = {};
 }
 
 // Keeps `lead_` of sound in the device beyond its own latency. What is written cannot be taken back, so that
@@ -84,7 +87,10 @@ void Speaker::Fill(Time now) {
     if (pushed_ == chunk_.size() && enough) return;
     if (!WriteChunk()) break;
   }
-  if (loudspeaker_ && now - stuck_since_ > kStuck) Close(now, "loudspeaker: the device accepts no sound");
+  if (loudspeaker_ && now - stuck_since_ > kStuck)
+    Close({.cause = std::errc::timed_out,
+           .attempt = "loudspeaker: the device accepts no sound",
+           .kind = ErrorKind::kInput});
 }
 
 // Makes the next chunk, unless one still waits, and writes it. Returns false where the device has no room
@@ -120,8 +126,7 @@ bool Speaker::Push() {
   const auto channels = static_cast<std::size_t>(loudspeaker_->format().channels);
   const auto playout = loudspeaker_->Write(std::span<const std::int16_t>(chunk_).subspan(pushed_));
   if (!playout) {
-    if (playout.error().cause != std::errc::resource_unavailable_try_again)
-      Close(clock_.now(), playout.error().message());
+    if (playout.error().cause != std::errc::resource_unavailable_try_again) Close(playout.error());
     return false;
   }
   pushed_ += playout->frames * channels;
@@ -134,9 +139,12 @@ bool Speaker::Push() {
 void Speaker::NotePlayout(const ports::Playout& playout) {
   const Time now = clock_.now();
   stuck_since_ = now;
-  if (source_ != board::SourceState::kLive) Log("loudspeaker: playing");
   source_ = board::SourceState::kLive;
-  logged_ = {};
+  accepted_ += FromSeconds(static_cast<double>(playout.frames) / kSoundRate_hz);
+  if (now - opened_at_ >= kPlays && 2 * accepted_ >= now - opened_at_) {
+    reopening_.NoteDelivery();
+    if (!std::exchange(told_that_it_plays_, true)) Log("loudspeaker: playing");
+  }
   const auto channels = static_cast<std::size_t>(loudspeaker_->format().channels);
   const std::size_t left = (chunk_.size() - pushed_) / channels;
   const Time next = playout.at + FromSeconds(static_cast<double>(playout.frames + left) / kSoundRate_hz);
@@ -153,14 +161,12 @@ void Speaker::NotePlayout(const ports::Playout& playout) {
 }
 
 // The section becomes stale at once: the status says so to whoever looks.
-void Speaker::Close(Time now, std::string_view why) {
-  loudspeaker_.reset();
-  retry_at_ = now + kRetry;
-  LogWarning("{}; the loudspeaker is opened again", why);
-  logged_ = std::errc::no_such_device;
+void Speaker::Close(const Error& why) {
+  reopening_.Close(loudspeaker_, why);
+  told_that_it_plays_ = false;
   if (source_ != board::SourceState::kLive) return;
   source_ = board::SourceState::kStale;
-  Publish(now);
+  Publish(clock_.now());
 }
 
 // The delay is bounded for the board: a device that lies about its latency must not make the section invalid.

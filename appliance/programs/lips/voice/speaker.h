@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "appliance/core/board/board.h"
@@ -15,6 +14,7 @@
 #include "appliance/programs/lips/voice/delay_line.h"
 #include "appliance/programs/lips/voice/motion_sound.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/reopening.h"
 #include "drivers/ports/loudspeaker.h"
 
 namespace kaori::voice {
@@ -25,8 +25,8 @@ struct SpeakerSettings {
   std::vector<show::Sound> clips;  // One for each motion of the show; empty for a motion without a sound.
 };
 
-// Used by one thread. A loudspeaker that is gone is opened again every 250 ms. Meanwhile the voice is
-// recorded, and it is in time when the loudspeaker is back.
+// Used by one thread. A loudspeaker that is gone is opened again every 250 ms, and less often where it opens and
+// plays nothing (Reopening). Meanwhile the voice is recorded, and it is in time when the loudspeaker is back.
 class Speaker {
  public:
   // Goes on from what `board` holds. Borrows the board and the clock, which outlive it.
@@ -48,8 +48,8 @@ class Speaker {
  private:
   static constexpr std::size_t kChunk = 120;  // Frames: 2.5 ms.
 
-  // Tries to open the loudspeaker; not again before a quarter of a second has passed.
-  void TryOpen(Time now);
+  // Tries to open the loudspeaker.
+  void TryOpen();
   // Writes chunks until enough sound waits in the device.
   void Fill(Time now);
   // Writes one chunk; false where the device has no room for all of it now.
@@ -61,7 +61,7 @@ class Speaker {
   // Learns from a write when the next frame will be heard.
   void NotePlayout(const ports::Playout& playout);
   // The device failed: the section becomes stale and the device is opened again.
-  void Close(Time now, std::string_view why);
+  void Close(const Error& why);
   // Writes the section `sound`, ten times a second.
   void Publish(Time now);
   void LogDelay();
@@ -75,6 +75,7 @@ class Speaker {
   // The voice on its way, filled by Record whether a loudspeaker is there or not.
   DelayLine line_;
   MotionSound motion_sound_;
+  Reopening reopening_;
   std::unique_ptr<ports::Loudspeaker> loudspeaker_;
   std::optional<Time> heard_next_;  // When the next frame will be heard; empty while that is unknown.
   Duration lead_{};                 // How much sound waits in the device,
@@ -88,10 +89,11 @@ class Speaker {
   board::Sound sound_;
   // Of the section: live from the first frames that the device accepts, stale when it is gone.
   board::SourceState source_ = board::SourceState::kAbsent;
-  Time retry_at_{};
+  Time opened_at_{};
+  Duration accepted_{};  // Of sound, since then.
+  bool told_that_it_plays_ = false;
   Time published_at_{};
   Time stuck_since_{};  // The device accepted nothing since then.
-  std::errc logged_{};
   Duration logged_delay_{};
   Time log_delay_after_{};
 };

@@ -9,8 +9,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr Duration kSilence = milliseconds(200);  // After this time the voice is stale.
-// How often a microphone that is not there is looked for.
-constexpr Duration kVoiceReaderRetry = milliseconds(250);
+// The pause before a microphone that had sent sound is opened again.
+constexpr Duration kAfterLoss = milliseconds(250);
 constexpr Duration kGiveUp =
     milliseconds(2000);  // A stream that was silent for this long does not resume by itself.
 constexpr Duration kOldest = milliseconds(500);  // An older time of recording is a fault of the driver.
@@ -31,24 +31,23 @@ VoiceReader::VoiceReader(ports::MicrophoneOpener open, board::Writer<board::Voic
       clock_(clock),
       handler_(std::move(handler)),
       listener_(gate),
+      reopening_("microphone", clock, kAfterLoss),
       last_block_(clock.now()) {}
 
 // Silence is judged last, so that what was read in this step counts.
 void VoiceReader::Step() {
-  const Time now = clock_.now();
-  if (!microphone_ && now >= retry_at_) TryOpen(now);
+  if (!microphone_ && reopening_.IsDue(clock_.now())) TryOpen();
+  const Time now = clock_.now();  // The opening may have taken long.
   if (microphone_) ReadBlocks(now);
   CheckSilence(now);
 }
 
-// Where nobody has plugged one in that is logged once (OpenOrLog), not four times a second.
-void VoiceReader::TryOpen(Time now) {
-  retry_at_ = now + kVoiceReaderRetry;
-  microphone_ = OpenOrLog(open_, logged_);
+// Where nobody has plugged one in that is logged once (Reopening), not four times a second.
+void VoiceReader::TryOpen() {
+  microphone_ = reopening_.Open(open_);
   if (!microphone_) return;
-  last_block_ = now;
+  last_block_ = clock_.now();
   ++opened_;
-  if (logged_ != std::errc::timed_out) Log("microphone: opened");
 }
 
 // The format is asked with each block: a driver may settle on it only when sound flows.
@@ -56,13 +55,15 @@ void VoiceReader::ReadBlocks(Time now) {
   for (int n = 0; n < kBlocksAtOnce; ++n) {
     const auto block = microphone_->Read();
     if (block && !IsSupported(microphone_->format()))
-      return Close(now, "microphone: the format is not 48 kHz with one or two channels");
+      return Close({.cause = std::errc::not_supported,
+                    .attempt = "microphone: the format is not 48 kHz with one or two channels",
+                    .kind = ErrorKind::kInput});
     if (block)
       Process(*block, now);
     else if (block.error().cause == std::errc::resource_unavailable_try_again)
       return;
     else
-      return Close(now, block.error().message());
+      return Close(block.error());
   }
 }
 
@@ -76,18 +77,15 @@ void VoiceReader::Process(const ports::SoundBlock& recorded, Time now) {
   if (source_ != board::SourceState::kLive) silence_log_.Speaks();
   source_ = board::SourceState::kLive;
   last_block_ = now;
-  logged_ = {};
+  reopening_.NoteDelivery();
   heard_at_ = voice.at;
   writer_.Write(mouth_.Follow(voice), heard_at_, source_);
 }
 
 // The last mouth stays on the board with the time at which it was heard, and is marked as stale.
-void VoiceReader::Close(Time now, std::string_view why) {
-  microphone_.reset();
-  retry_at_ = now + kVoiceReaderRetry;
-  LogWarning("{}; the microphone is opened again", why);
+void VoiceReader::Close(const Error& why) {
+  reopening_.Close(microphone_, why);
   silence_log_.Lost();
-  logged_ = std::errc::no_such_device;
   if (source_ != board::SourceState::kLive) return;
   source_ = board::SourceState::kStale;
   writer_.Write(mouth_.mouth(), heard_at_, source_);
@@ -101,11 +99,10 @@ void VoiceReader::CheckSilence(Time now) {
     writer_.Write(mouth_.mouth(), heard_at_, source_);
   }
   if (!microphone_ || now - last_block_ < kGiveUp) return;
-  if (logged_ != std::errc::timed_out)
-    LogWarning("microphone: no sound for {} s; the microphone is opened again", kGiveUp / milliseconds(1000));
-  logged_ = std::errc::timed_out;
-  microphone_.reset();
-  retry_at_ = now;
+  reopening_.Close(microphone_,
+                   {.cause = std::errc::timed_out,
+                    .attempt = fmt::format("microphone: no sound for {} s", kGiveUp / milliseconds(1000)),
+                    .kind = ErrorKind::kInput});
 }
 
 }  // namespace kaori::voice

@@ -4,20 +4,21 @@
 
 #include <functional>
 #include <memory>
-#include <string_view>
 
 #include "appliance/core/board/board.h"
 #include "appliance/programs/lips/voice/listener.h"
 #include "appliance/programs/lips/voice/voice_mouth.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/reopening.h"
 #include "drivers/base/silence_log.h"
 #include "drivers/ports/microphone.h"
 
 namespace kaori::voice {
 
 // Used by one thread. After 200 ms without a block, or when the microphone is gone, the section becomes
-// stale. A microphone that is gone, or that sent nothing for 2 s, is opened again every 250 ms. A stream in
-// another format than 48 kHz with one or two channels is closed like one that failed.
+// stale. A microphone that is gone, or that sent nothing for 2 s, is opened again after 250 ms, and less often where
+// it opens and sends nothing (Reopening). A stream in another format than 48 kHz with one or two channels is closed
+// like one that failed.
 class VoiceReader {
  public:
   // Called with every block of the microphone, which is valid during the call only.
@@ -40,14 +41,14 @@ class VoiceReader {
   int opened() const { return opened_; }
 
  private:
-  // Tries to open the microphone; not again before a quarter of a second has passed.
-  void TryOpen(Time now);
+  // Tries to open the microphone.
+  void TryOpen();
   // Processes the blocks that wait, 64 at most.
   void ReadBlocks(Time now);
   // One block: to the listener, the handler, and the board.
   void Process(const ports::SoundBlock& block, Time now);
   // The microphone failed: the section becomes stale and the device is opened again.
-  void Close(Time now, std::string_view why);
+  void Close(const Error& why);
   // A microphone that sends nothing: stale after 200 ms, opened again after 2 s.
   void CheckSilence(Time now);
 
@@ -59,12 +60,11 @@ class VoiceReader {
   Listener listener_;
   VoiceMouth mouth_;
   std::unique_ptr<ports::Microphone> microphone_;
+  Reopening reopening_;
   board::SourceState source_ = board::SourceState::kAbsent;
   Time last_block_;  // When the newest block arrived, or the microphone was opened.
   Time heard_at_{};  // The time of the value on the board.
-  Time retry_at_{};
   SilenceLog silence_log_{"microphone", "the voice is stale"};
-  std::errc logged_{};  // The failure that was logged last; the same is not logged again.
   int opened_ = 0;
 };
 
