@@ -17,7 +17,7 @@ using Kind = sim::SerialDialBox::Kind;
 
 // For machines that have little of a processor.
 constexpr Duration kDialAnswer = seconds(120), kLongestDial = seconds(90);
-constexpr const char* kInputUnit = "kaori-input.service";
+constexpr const char* kInputOfTheBox = "kaori-input.service";
 constexpr const char* kAdapter = "pointer";  // The socket at which the adapter takes the pointer's place.
 
 Result<std::string> AskOfDials(Scene& scene, const std::string& question) {
@@ -30,7 +30,7 @@ class StartedInput {
   // Errors of starting are seen where nothing arrives.
   StartedInput(Scene& scene, const std::string& options)
       : scene_(scene),
-        unit_(scene, kInputUnit),
+        unit_(scene, kInputOfTheBox),
         number_(AskOfDials(scene, "start /usr/bin/kaori-input --board /run/kaori/board " + options)
                     .value_or("")) {}
   ~StartedInput() { End(); }
