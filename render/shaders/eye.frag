@@ -10,6 +10,7 @@ uniform vec4 white;   // rgb; a: veins.
 uniform vec4 drawn;   // x: the pupil's radius, of the iris's; y: dark (or, below 0, pale) rim; z: spokes; w: rings of a lens.
 uniform vec2 answer;  // x: wet; y: light of its own.
 flat in vec3 glint_at;  // See eye.vert.
+flat in float glint_size;
 layout(location = 0) out vec4 colour;
 const vec3 kVein = vec3(0.80, 0.50, 0.45);
 const float kDepth = 0.10;  // Of the iris behind the cornea, radii of the ball.
@@ -49,7 +50,8 @@ void main() {
   float over_lower = d.y - LowerLid(d.x);
   float lit = (0.42 + 0.58 * shade.x) * LidShade(UpperLid(d.x) - d.y, over_lower);
   c *= mix(mix(1.0, lit, 0.35 + 0.65 * soft), 1.0, answer.y * smoothstep(1.04, 1.0, r));
-  float glint = smoothstep(0.9805, 0.9920, dot(d, glint_at));
+  vec2 edge = 1.0 - vec2(0.0195, 0.0080) * mix(0.2, 1.0, glint_size);
+  float glint = mix(0.5, 1.0, glint_size) * smoothstep(edge.x, edge.y, dot(d, glint_at));
   float veil = 0.010 * smoothstep(0.2, 0.9, dot(d, vec3(1.5 * glint_at.xy, 0.70)));
   float tears = smoothstep(0.0, 0.02, over_lower) * smoothstep(0.055, 0.02, over_lower);
   c += (0.95 * glint + veil + 0.14 * tears * shade.x) * answer.x * soft;
