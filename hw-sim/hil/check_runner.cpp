@@ -190,7 +190,7 @@ Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
     return ok && scene.finding.verdict == Verdict::kPassed;
   }();
   // A box that does not recover is switched off, with its log.
-  const auto sound = WantNoKernelFault();
+  auto sound = WantNoKernelFault();
   strategy_.Recover(before && check.fails_without == kInputUnit ? before->now_ns : 0);
   if (!sound) return sound;
   if (passed) return FailInput("the check passes without " + check.fails_without);

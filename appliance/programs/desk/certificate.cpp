@@ -137,6 +137,24 @@ Result<std::string> Make(const CertificateOptions& options) {
   return text + Release(chain);
 }
 
+// Errors: those of making the folder and of WriteWholeFile.
+Result<void> Keep(const std::filesystem::path& file, const std::string& pem) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (error)
+    return Fail(static_cast<std::errc>(error.value()), "make the folder " + file.parent_path().string());
+  auto written = WriteWholeFile(file, {AsBytes(pem)}, 0600);
+  if (written) Log("a new certificate was made: {}", file.string());
+  return written;
+}
+
+// A name that is wrong is the caller's to mend; a box whose data partition is away or full has nowhere else to keep it.
+bool IsOfTheDisk(std::errc cause) {
+  return cause == std::errc::read_only_file_system || cause == std::errc::permission_denied ||
+         cause == std::errc::operation_not_permitted || cause == std::errc::no_space_on_device ||
+         cause == std::errc::io_error;
+}
+
 }  // namespace
 
 // A file that cannot be read is logged and replaced: without its certificate the desk could not be used at
@@ -151,12 +169,9 @@ Result<OwnCertificate> LoadOrMakeCertificate(const std::filesystem::path& folder
   if (const auto own = Read(stored.value_or(""), now_s)) return *own;
   const auto made = Make(options);
   if (!made) return tl::unexpected(made.error());
-  std::error_code none;
-  std::filesystem::create_directories(folder, none);
-  if (auto written = WriteWholeFile(file, {AsBytes(*made)}, 0600); !written)
-    LogWarning("{}; the next start makes another certificate", written.error().message());
-  else
-    Log("a new certificate was made: {}", file.string());
+  const auto kept = Keep(file, *made);
+  if (!kept && !IsOfTheDisk(kept.error().cause)) return tl::unexpected(kept.error());
+  if (!kept) LogWarning("{}; the next start makes another certificate", kept.error().message());
   const auto own = Read(*made, now_s);
   if (!own) return Fail(std::errc::not_supported, "read the new certificate");
   return *own;
