@@ -146,9 +146,6 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
   const auto it = nodes_.find(port);
   if (it == nodes_.end()) return Fail(std::errc::no_such_device, "open " + port);
   const Node& node = it->second;
-  // The kernel opens and closes no node while another one is asked for a report (minors_rwsem of its hidraw), and one
-  // that does not answer is asked for 5 s.
-  ExpectLongCall();
   // Reading and writing: a lamp's report goes through the same node.
   UniqueFd fd(::open(node.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!fd.valid()) return Fail(CauseOfOpen(errno), "open " + node.path + " at " + port);
@@ -171,7 +168,7 @@ void HidrawBus::RequestInitialReports(HidrawChannel& channel) {
   const auto layout = decode::LayoutOf(identity);
   const std::pair kind(identity.vendor, identity.product);
   if (!layout || silent_kinds_.contains(kind)) return;
-  // A device that is plugged in and does not answer must not look like a program that hangs.
+  // The opening may have taken its time already: whoever watches is told of this call anew.
   ExpectLongCall();
   const auto asked = channel.RequestInitialReports(decode::InitialReportsOf(*layout));
   if (!asked && asked.error().cause == std::errc::timed_out) silent_kinds_.insert(kind);

@@ -8,6 +8,21 @@
 #include "drivers/base/log.h"
 
 namespace kaori::board {
+namespace {
+
+struct AskedBoard {
+  std::string path;
+  FacePace pace{};
+  bool is_named = false;
+};
+
+// Any other error than a board that is not there would have the work go on for ever without a rest.
+void NameOnce(AskedBoard& asked, const Error& error) {
+  if (error.cause == std::errc::no_such_file_or_directory || std::exchange(asked.is_named, true)) return;
+  LogWarning("{}; the work does not rest for the face", error.message());
+}
+
+}  // namespace
 
 // Half of what was counted before stays after two turns: scenes of a show differ in what they cost.
 void FacePace::Counted::Add(std::uint32_t more_frames, Duration in) {
@@ -62,22 +77,6 @@ bool FacePace::MayWork(std::uint32_t frames, Time now) {
   frames_then_ = frames;
   return works_;
 }
-
-namespace {
-
-struct AskedBoard {
-  std::string path;
-  FacePace pace{};
-  bool is_named = false;
-};
-
-// Any other error than a board that is not there would have the work go on for ever without a rest.
-void NameOnce(AskedBoard& asked, const Error& error) {
-  if (error.cause == std::errc::no_such_file_or_directory || std::exchange(asked.is_named, true)) return;
-  LogWarning("{}; the work does not rest for the face", error.message());
-}
-
-}  // namespace
 
 // A board that was made anew has nothing of the stage until that has moved there, and then as many frames as before.
 std::function<bool()> PaceByBoardAt(std::string path) {

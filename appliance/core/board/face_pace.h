@@ -68,8 +68,8 @@ class FacePace {
 };
 
 // Asks one FacePace by the board at `path` and the machine's clock: whether the work may go on now. True where there is no
-// board, or no stage has written it; a board that cannot be read is named in the log once. It is opened for each question, as it may be made anew meanwhile; blocks for the file system. Copies ask the same
-// FacePace; all of them are one thread's.
+// board, or no stage has written it; a board that cannot be read is named in the log once. It is opened for each question, as
+// it may be made anew meanwhile; blocks for the file system. Copies ask the same FacePace; all of them are one thread's.
 std::function<bool()> PaceByBoardAt(std::string path);
 
 }  // namespace kaori::board

@@ -70,6 +70,9 @@ void InputService::HandleBusError(Bus& bus, const Error& error) {
 
 // A device is opened before it can be known what it is: its report descriptor says so. A device that fills no
 // slot is closed again at the end of this function, so that other programs may use it.
+//
+// The kernel opens and closes no node while another one is asked for a report (minors_rwsem of its hidraw), and one that does
+// not answer is asked for 5 s.
 void InputService::TryToAttach(const BusPort& port, Time now) {
   ExpectLongCall();
   const Time asked = clock_.now();
