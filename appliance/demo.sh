@@ -9,14 +9,14 @@ readonly RUN=out/run
 readonly RECORD_PACKAGES=(ffmpeg)
 
 demo() {
-  local port='' listen='' size=960x540 hz='' record='' play='' input='' value pack='' evening='' without='' at=''
+  local port='' listen='' size=960x540 hz='' record='' play='' input='' value pack='' evening='' without='' at='' quality=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --service ]; then
       in_service=yes
       shift
       continue
     fi
-    [[ $1 =~ ^--(port|listen|size|hz|record|play|input|pack|evening|without|at)$ ]] || fail "demo knows no $1; see ./box help"
+    [[ $1 =~ ^--(port|listen|size|hz|quality|record|play|input|pack|evening|without|at)$ ]] || fail "demo knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
     [[ ! $1 =~ ^--(record|play|input|pack|evening)$ ]] || value=$(from_caller "$2")
@@ -26,6 +26,8 @@ demo() {
   [ -z "$listen" ] || is_address "$listen" ||
     fail "--listen $listen: expected an IPv4 address of this machine, such as 192.168.0.7, or 0.0.0.0 for all of them"
   [ -z "$pack" ] || is_show "$pack"
+  [[ $quality =~ ^(auto|basic|fine)?$ ]] || fail "--quality $quality: expected auto, basic or fine"
+  [ -z "$quality" ] || of_stage+=(--quality "$quality")
   choose_evening
   need "${BUILD_PACKAGES[@]}"
   [ -n "$record" ] && need "${RECORD_PACKAGES[@]}"
@@ -38,7 +40,7 @@ demo() {
     pack=$PACK
   fi
   if [ -n "$record" ]; then
-    exec $BIN/kaori-rehearsal --pack "$pack" --play "${play:-$PLAY}" --film "$record" --size "$size" --hz "${hz:-30}"
+    exec $BIN/kaori-rehearsal --pack "$pack" --play "${play:-$PLAY}" --film "$record" --size "$size" --hz "${hz:-30}" "${of_stage[@]}"
   fi
   [ "$pack" = $PACK ] || say "playing the show $pack"
   local -a of_simulator=()
@@ -53,7 +55,7 @@ choose_evening() {
   [ -f "$evening" ] || fail "there is no show log $evening"
   [ -n "$without" ] || fail "--evening wants --without and the role that is live, such as head"
   [ -z "$record" ] || fail "--evening is played live, and --record plays a scenario; kaori-rehearsal --log films an evening"
-  of_evening=(--evening "$evening" --without "$without" ${at:+--at "$at"})
+  of_stage+=(--evening "$evening" --without "$without" ${at:+--at "$at"})
 }
 
 # Whether some program listens on the port: in_use PORT [ADDRESS].
@@ -81,7 +83,7 @@ choose_port() {
   fi
 }
 
-of_evening=()  # What the stage is told of an evening that it plays again.
+of_stage=()  # What the stage is told besides: of its quality, and of an evening that it plays again.
 in_service=  # Whether the lips can be calibrated.
 declare -A playing=() started=()  # Process id -> program; program -> second of its start.
 
@@ -91,7 +93,7 @@ launch() {
   local -a options=(--links "$RUN/links" "${@:2}")
   case $program in
     kaori-sim) options+=(--board "$RUN/board" --labels "$labels" --address-file "$RUN/address") ;;
-    kaori-stage) options+=(--board "$RUN/board" --pack "$pack" "${of_evening[@]}") ;;
+    kaori-stage) options+=(--board "$RUN/board" --pack "$pack" "${of_stage[@]}") ;;
     kaori-lips) options+=(--board "$RUN/board" --pack "$pack") ;;
     kaori-desk) options=(--service --local --board "$RUN/board" --port "$desk_port" --data out/desk --address-file "$RUN/desk") ;;
     *) options+=(--board "$RUN/board") ;;

@@ -4,6 +4,7 @@
 
 #include "appliance/core/showlog/replay.h"
 #include "appliance/programs/report/logged_show.h"
+#include "appliance/programs/stage/quality_choice.h"
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/log.h"
 
@@ -52,6 +53,7 @@ Result<std::unique_ptr<Drawing>> OpenDrawing(const LogPlayOptions& options, cons
   if (!outputs) return tl::unexpected(outputs.error());
   auto studio = stage::Studio::Open(show);
   if (!studio) return tl::unexpected(studio.error());
+  Log("drawing with {}: {}", (*studio)->renderer(), stage::ChooseQuality(**studio, options.quality));
   return std::make_unique<Drawing>(std::move(*studio), std::move(*outputs), options.output);
 }
 

@@ -21,6 +21,8 @@ struct LogPlayOptions {
   double length_s = 0;
   // Nothing is drawn where neither a film nor pictures are wanted.
   OutputOptions output;
+  // How finely: of stage::IsQualityWish.
+  std::string quality = "basic";
 };
 
 // How a stretch of a log played.

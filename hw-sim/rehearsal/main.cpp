@@ -12,6 +12,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/last_face.h"
+#include "appliance/programs/stage/quality_choice.h"
 #include "appliance/programs/stage/show_log.h"
 #include "drivers/base/log.h"
 #include "drivers/base/number.h"
@@ -44,12 +45,13 @@ constexpr std::string_view kHelp =
   --monitor-size 1280x720
   --size 960x540     of the picture
   --hz 30            pictures a second
+  --quality basic    how finely the face is drawn: basic, fine as on a graphics card, or auto: what this machine draws in time
 )";
 
 // What was asked for on the command line.
 struct Settings {
   std::string pack, play, log, at, length_s = "0", own, write_log, film, pictures, size = "960x540",
-                                   hz = "30", monitor, monitor_size = "1280x720";
+                                   hz = "30", monitor, monitor_size = "1280x720", quality = "basic";
 };
 
 // One line that is written over again and again, for people who wait at a terminal.
@@ -95,6 +97,8 @@ int Rehearse(const Settings& settings, kaori::Size size, kaori::Size monitor_siz
   auto expression_editor = kaori::editor::ExpressionEditor::Open(folder + "/own", *show);
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return kaori::ExitWithError(studio.error());
+  kaori::Log("drawing with {}: {}", (*studio)->renderer(),
+             kaori::stage::ChooseQuality(**studio, settings.quality));
   const auto rehearsal = kaori::sim::Rehearsal::Open({.folder = folder,
                                                       .width_px = size.width_px,
                                                       .height_px = size.height_px,
@@ -145,7 +149,8 @@ int PlayAgain(const Settings& settings, kaori::Size size, int hz, const std::str
                                            .own = settings.own,
                                            .at = settings.at,
                                            .length_s = *length_s,
-                                           .output = {settings.film, settings.pictures, size, hz, folder}});
+                                           .output = {settings.film, settings.pictures, size, hz, folder},
+                                           .quality = settings.quality});
   if (!played) return kaori::ExitWithError(played.error());
   fmt::print("{} to {}: {} frames, of which {} do not show what they showed then{}\n", played->from,
              played->until, played->frames, played->differ,
@@ -170,9 +175,14 @@ int main(int argc, char** argv) {
       .Text("--film", settings.film);
   options.Text("--pictures", settings.pictures).Text("--size", settings.size).Text("--hz", settings.hz);
   options.Text("--monitor", settings.monitor).Text("--monitor-size", settings.monitor_size);
+  options.Text("--quality", settings.quality);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.play.empty() == settings.log.empty()) {
     kaori::LogError("what is to be played? Give one of --play and --log");
+    return 2;
+  }
+  if (!kaori::stage::IsQualityWish(settings.quality)) {
+    kaori::LogError("--quality {}: expected auto, basic or fine", settings.quality);
     return 2;
   }
   const auto size = kaori::ParseSize(settings.size);

@@ -31,13 +31,36 @@ namespace {
 // Of the pixels that every CRTC scans out; the number is GBM's and DRM's "XR24".
 constexpr EGLint kScreenPixels = 0x34325258;
 
-// EGL_EXT_platform_base: a display of the card, or of no screen (EGL_MESA_platform_surfaceless).
+template <class Function>
+Function Get(const char* name) {
+  return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+// Null where EGL does not have the platform, or its driver does not start.
+EGLDisplay Started(EGLenum platform, void* native) {
+  const auto get = Get<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  const EGLDisplay display = get == nullptr ? EGL_NO_DISPLAY : get(platform, native, nullptr);
+  return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) ? display : EGL_NO_DISPLAY;
+}
+
+// The first device that starts (EGL_EXT_device_enumeration, EGL_EXT_platform_device).
+EGLDisplay AnyDevice() {
+  const auto query = Get<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+  std::array<EGLDeviceEXT, 16> devices{};
+  EGLint count = 0;
+  if (query == nullptr || !query(EGLint{devices.size()}, devices.data(), &count)) return EGL_NO_DISPLAY;
+  for (EGLDeviceEXT device : std::span(devices).first(std::size_t(count)))
+    if (EGLDisplay display = Started(EGL_PLATFORM_DEVICE_EXT, device); display != EGL_NO_DISPLAY)
+      return display;
+  return EGL_NO_DISPLAY;
+}
+
+// A display of the card; or of no screen, which is EGL_MESA_platform_surfaceless, and where a driver does not
+// have that, as some of other makers, its device.
 EGLDisplay DisplayOf(void* gbm) {
-  const auto get =
-      reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-  if (get == nullptr) return EGL_NO_DISPLAY;
-  if (gbm != nullptr) return get(EGL_PLATFORM_GBM_KHR, gbm, nullptr);
-  return get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (gbm != nullptr) return Started(EGL_PLATFORM_GBM_KHR, gbm);
+  EGLDisplay display = Started(EGL_PLATFORM_SURFACELESS_MESA, nullptr);
+  return display != EGL_NO_DISPLAY ? display : AnyDevice();
 }
 
 // The first of those with GLES 3; for a card, one whose windows hold what a screen shows. Null where there is
@@ -86,8 +109,7 @@ void GL_APIENTRY LogMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, co
 
 // Debug output is GLES 3.2 or KHR_debug; without either the driver keeps its remarks to itself.
 void ListenToDriver() {
-  const auto listen =
-      reinterpret_cast<PFNGLDEBUGMESSAGECALLBACKPROC>(eglGetProcAddress("glDebugMessageCallbackKHR"));
+  const auto listen = Get<PFNGLDEBUGMESSAGECALLBACKPROC>("glDebugMessageCallbackKHR");
   if (listen == nullptr) return;
   // Synchronous, so that a debugger's stack shows the call that was wrong.
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -136,9 +158,9 @@ bool Context::Offers(std::string_view extension) {
 Result<std::unique_ptr<Context>> Context::Open(void* gbm) {
   auto egl = std::make_unique<Egl>();
   egl->display = DisplayOf(gbm);
-  if (egl->display == EGL_NO_DISPLAY || !eglInitialize(egl->display, nullptr, nullptr)) {
+  if (egl->display == EGL_NO_DISPLAY) {
     return Fail(std::errc::no_such_device,
-                gbm != nullptr ? "open EGL on the graphics card" : "open EGL's surfaceless platform");
+                gbm != nullptr ? "open EGL on the graphics card" : "open EGL without a screen");
   }
   // EGL's default is GLES already; other libraries in the process may have changed it.
   eglBindAPI(EGL_OPENGL_ES_API);

@@ -1,4 +1,4 @@
-// A GLES 3 context: EGL on Mesa's surfaceless platform, which needs no screen, or on a graphics card.
+// A GLES 3 context: EGL without a screen, or on a graphics card.
 //
 // All calls of this folder are those of GLES 3.0 unless they say otherwise. An object belongs to the context
 // that was current when it was made. Functions bind what they need and leave it bound.
@@ -17,7 +17,8 @@ namespace kaori::gl {
 class Context {
  public:
   // On the card of `gbm`, a gbm_device that outlives the context; without one, on no screen at all (the
-  // extension EGL_MESA_platform_surfaceless). Blocks while the driver loads: some 100 ms. Errors:
+  // extension EGL_MESA_platform_surfaceless, else EGL_EXT_platform_device). Blocks while the driver loads: some
+  // 100 ms. Errors:
   //   no_such_device  EGL has no such platform or no GLES 3
   //   protocol_error  EGL refused to make or use the context
   static Result<std::unique_ptr<Context>> Open(void* gbm = nullptr);

@@ -52,15 +52,17 @@ Result<void> Append(std::span<const ShaderFile> library, std::string_view name, 
   return {};
 }
 
-// "3:12..." at the start of `text` -> "body.vert:12...". Text that begins otherwise is left as it is.
+// "3:12..." at the start of `text`, or "3(12) :..." as NVIDIA's driver writes it -> "body.vert:12...". Text that begins
+// otherwise is left as it is.
 std::string NameFile(std::string_view text, std::span<const std::string_view> files) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const auto used = static_cast<std::size_t>(end - text.data());
-  if (error != std::errc{} || number >= files.size() || used >= text.size() || text[used] != ':') {
-    return std::string(text);
-  }
-  return std::string(files[number]).append(text.substr(used));
+  if (error != std::errc{} || number >= files.size()) return std::string(text);
+  const std::string_view rest = text.substr(static_cast<std::size_t>(end - text.data()));
+  if (rest.starts_with(':')) return std::string(files[number]).append(rest);
+  const std::size_t closed = rest.find(") :");
+  if (!rest.starts_with('(') || closed == rest.npos) return std::string(text);
+  return fmt::format("{}:{}{}", files[number], rest.substr(1, closed - 1), rest.substr(closed + 2));
 }
 
 }  // namespace

@@ -68,6 +68,8 @@ TEST_F(Gl, ReadsTheLogsOfOtherDriversToo) {
   const std::vector<std::string_view> files{"a.frag", "b.glsl"};
   EXPECT_EQ(NameFiles("ERROR: 1:12: 'x' : undeclared\n0:3(1): error: no\n", files),
             "b.glsl:12: 'x' : undeclared; a.frag:3(1): error: no");
+  EXPECT_EQ(NameFiles("1(3) : error C1503: undefined variable \"x\"\n0(no line\n", files),
+            "b.glsl:3: error C1503: undefined variable \"x\"; 0(no line");
 }
 
 TEST_F(Gl, RefusesACanvasOfNoSizeOrOfAnImpossibleOne) {
