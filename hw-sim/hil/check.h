@@ -63,6 +63,10 @@ struct Scene {
   // The box's programs as the check found them; none where the box has no agent, or is off.
   std::vector<BoxProgram> programs{};
 
+  // Presses a key (HID page 7) of the box's keyboard for as long as a person does: the input program of an emulated
+  // box reads it late. Blocks meanwhile.
+  void TapKey(std::uint8_t usage);
+
   // Adds a picture of the screen to the finding, with the name of the check and a number as its
   // file. Errors: as VideoProtocol::Shoot.
   Result<void> Shoot(const std::string& name, const std::string& caption);

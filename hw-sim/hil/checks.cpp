@@ -13,6 +13,13 @@ double Quantile(std::vector<double> values, double part) {
   return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
+void Scene::TapKey(std::uint8_t usage) {
+  sim::Keyboard& keyboard = target.rig().devices().keyboard;
+  keyboard.Press(usage);
+  target.For(std::chrono::milliseconds(500));
+  keyboard.Release(usage);
+}
+
 Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
   // The number keeps several pictures of one check apart.
   const std::string file = fmt::format("{}-{}.png", name, finding.pictures.size());

@@ -108,13 +108,6 @@ Result<double> LookApart(Scene& scene, const std::string& one, const std::string
   return MeanDifference(one, now);
 }
 
-void TapKey(Scene& scene, std::uint8_t usage) {
-  sim::Keyboard& keyboard = scene.target.rig().devices().keyboard;
-  keyboard.Press(usage);
-  scene.target.For(std::chrono::milliseconds(300));
-  keyboard.Release(usage);
-}
-
 // New is a mark that was not on the disk before; after the bytes the box still has to name the file.
 Result<void> AwaitNewFace(Scene& scene, const KeptDisk& disk, const std::set<std::string>& before) {
   const auto kept = [&] {
@@ -138,7 +131,7 @@ Result<void> PlayEvening(Scene& scene, const KeptDisk& disk) {
     return tl::unexpected(ok.error());
   if (auto ok = AwaitNewFace(scene, disk, {}); !ok) return ok;
   const auto before = disk.Marks();
-  TapKey(scene, kPosterKey);
+  scene.TapKey(kPosterKey);
   const auto other = [&, &opening = opening, &last = last] {
     const auto apart = LookApart(scene, opening, last);
     return apart && *apart >= kOtherLook;

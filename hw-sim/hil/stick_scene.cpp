@@ -53,9 +53,7 @@ Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
   Result<void> said;
   for (int n = 0; n < kMostPresses; ++n) {
     scene.target.For(seconds(3));
-    scene.target.rig().devices().keyboard.Press(key);
-    scene.target.For(std::chrono::milliseconds(300));
-    scene.target.rig().devices().keyboard.Release(key);
+    scene.TapKey(key);
     said = WantStickSaid(scene, words, seconds(60));
     if (said) break;
   }

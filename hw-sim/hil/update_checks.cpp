@@ -28,13 +28,6 @@ constexpr int kUpdateCuts = 10;                 // For each unit of Scene::effor
 constexpr int kUpdateKey = 2;                   // A line of the bridge, as docs/image.md wires it.
 constexpr std::uint8_t kFirst = 0x1E, kSecond = 0x1F, kPageUp = 0x4B;  // Keys, HID page 7.
 
-// A whole press, as long as a person holds a key: the input program of an emulated box reads it late.
-void PressKey(Scene& scene, std::uint8_t key) {
-  scene.target.rig().devices().keyboard.Press(key);
-  scene.target.For(std::chrono::milliseconds(500));
-  scene.target.rig().devices().keyboard.Release(key);
-}
-
 // Errors: timed_out, with what the disk holds.
 Result<void> AwaitKept(Scene& scene, const UpdatedPc& pc, const std::string& name,
                        const std::function<bool(const std::string&)>& right, Duration longest) {
@@ -61,7 +54,7 @@ Result<void> BringUpdate(Scene& scene, const UpdatedPc& pc) {
   if (auto ok = scene.target.machine().PlugStick(stick, false); !ok) return ok;
   scene.target.For(kStickListed);
   if (auto ok = scene.Shoot("update-list", "The update in the list of the stick"); !ok) return ok;
-  PressKey(scene, kFirst);
+  scene.TapKey(kFirst);
   const Time began = scene.target.clock().now();
   const auto waits = [](const std::string& kept) { return kept.ends_with(" B 0\n"); };
   auto ok = AwaitKept(scene, pc, "update/pending", waits, kLongestUpdating);
@@ -78,9 +71,9 @@ Result<void> RestartIntoB(Scene& scene) {
   constexpr int kMostPresses = 3;
   const auto ended = [&] { return !scene.target.machine().runs(); };
   for (int n = 0; n < kMostPresses; ++n) {
-    PressKey(scene, kPageUp);
+    scene.TapKey(kPageUp);
     scene.target.For(seconds(5));
-    PressKey(scene, kSecond);
+    scene.TapKey(kSecond);
     if (scene.target.Until(ended, seconds(120))) return {};
   }
   static_cast<void>(scene.Shoot("update-no-restart", "What the box says in place of restarting"));
