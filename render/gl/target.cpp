@@ -11,6 +11,19 @@ namespace {
 void DeleteFramebuffer(unsigned id) {
   glDeleteFramebuffers(1, &id);
 }
+void DeleteTargetDepth(unsigned id) {
+  glDeleteRenderbuffers(1, &id);
+}
+
+// Attached to the framebuffer that is bound.
+Handle AttachDepth(const TextureOptions& o) {
+  GLuint id = 0;
+  glGenRenderbuffers(1, &id);
+  glBindRenderbuffer(GL_RENDERBUFFER, id);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, o.width_px, o.height_px);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, id);
+  return Handle(id, DeleteTargetDepth);
+}
 
 }  // namespace
 
@@ -31,6 +44,26 @@ Result<Target> Target::Make(const TextureOptions& options) {
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return target;
   return Fail(std::errc::not_enough_memory,
               fmt::format("make a target of {} x {} pixels", options.width_px, options.height_px));
+}
+
+Result<Target> Target::MakeWithDepth(const TextureOptions& options) {
+  auto target = Make(options);
+  if (!target) return target;
+  target->depth_ = AttachDepth(options);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return target;
+  return Fail(std::errc::not_enough_memory,
+              fmt::format("make a depth of {} x {} pixels", options.width_px, options.height_px));
+}
+
+// glClear obeys the depth mask, which the last pass may have left off; of a target without depth it clears none.
+void Target::BeginCleared(int width_px, int height_px) const {
+  assert(width_px <= options_.width_px && height_px <= options_.height_px);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.id());
+  glViewport(0, 0, width_px, height_px);
+  glDisable(GL_SCISSOR_TEST);
+  glDepthMask(GL_TRUE);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 // What is drawn covers it, or adds to it: nothing is cleared.

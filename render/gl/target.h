@@ -1,4 +1,4 @@
-// A texture that is drawn on, without samples or depth.
+// A texture that is drawn on, without samples; with depth where that is asked for.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,14 @@ class Target {
   // On the current context. Errors: not_enough_memory (or a format that the driver does not draw on).
   static Result<Target> Make(const TextureOptions& options);
 
+  // The same with 24 bits of depth.
+  static Result<Target> MakeWithDepth(const TextureOptions& options);
+
+  // Makes all of it black, without coverage, and the depth far; drawing goes to its first rows and columns from here
+  // on, as many as a canvas of this size has, neither more than its own. Sets framebuffer and viewport, and turns the
+  // scissor test off.
+  void BeginCleared(int width_px, int height_px) const;
+
   // Drawing goes to all of it from here on: sets framebuffer and viewport, and turns the scissor test off.
   void Begin() const;
 
@@ -38,6 +46,8 @@ class Target {
  private:
   TextureOptions options_;
   Texture texture_;
+  // None where no depth was asked for.
+  Handle depth_;
   Handle frame_;
 };
 

@@ -25,6 +25,8 @@ Format FormatOf(Texels texels) {
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case Texels::kRgb10:
       return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
+    case Texels::kHalf4:
+      return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
     case Texels::kFloat4:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
   }

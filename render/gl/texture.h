@@ -18,6 +18,8 @@ enum class Texels : std::uint8_t {
   kRgba8,
   // 10 bits each, for what is drawn on and enlarged later: 8 would show steps in dark gradients.
   kRgb10,
+  // 4 halves of floats: light beyond 1, drawn on and blurred. Not every driver draws on them.
+  kHalf4,
   // 4 floats; read by texelFetch alone, since GLES 3.0 need not smooth floats.
   kFloat4,
 };

@@ -19,6 +19,7 @@ constexpr std::size_t kMostTextures = 4;
 // Behind those of the skins.
 constexpr int kDepthsUnit = kMostTextures;
 constexpr int kPoresUnit = kDepthsUnit + 1;
+constexpr int kScatteredUnit = kPoresUnit + 1;
 
 // The textures of the faces in their order, each once, and their weights.
 class Mixture {
@@ -73,9 +74,11 @@ Result<void> BodyPass::AddVariant(int textures, Quality quality) {
   v.program = std::move(*program);
   v.surface = v.program.Find("surface");
   v.weights = v.program.Find("weights");
+  v.scatter = v.program.Find("scatter");
   for (int i = 0; i < textures; ++i) v.program.BindSampler(fmt::format("texture{}", i).c_str(), i);
   v.program.BindSampler("depths", kDepthsUnit);
   v.program.BindSampler("pores", kPoresUnit);
+  v.program.BindSampler("scattered", kScatteredUnit);
   return {};
 }
 
@@ -83,6 +86,12 @@ Result<void> BodyPass::AddFine() {
   auto depth = MakeProgram("body.vert", "depth.frag", "#define BY_PIXEL\n");
   if (!depth) return tl::unexpected(depth.error());
   depth_ = std::move(*depth);
+  auto light = MakeProgram("body.vert", "body_light.frag", "#define BY_PIXEL\n");
+  if (!light) return tl::unexpected(light.error());
+  light_.surface = light->Find("surface");
+  light->BindSampler("depths", kDepthsUnit);
+  light->BindSampler("pores", kPoresUnit);
+  light_.program = std::move(*light);
   pores_ = MakePores();
   return {};
 }
@@ -128,16 +137,23 @@ bool BodyPass::LoadNext() {
   return true;
 }
 
+glm::vec2 BodyPass::AnswerOf(const face::Terms& faces) const {
+  glm::vec2 answer{};
+  for (const face::Term& term : faces) answer += term.weight * looks_[term.index].surface;
+  return answer;
+}
+
+float BodyPass::ScatterOf(const face::Terms& faces) const {
+  const glm::vec2 answer = AnswerOf(faces);
+  return std::clamp(answer.x * (1 - answer.y), 0.0F, 1.0F);
+}
+
 // Softness and metal are blended as numbers, paint in the shader.
 void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed,
-                    const gl::DepthMap* depths) {
+                    const gl::DepthMap* depths, const ScatterPass* scattered) {
   Mixture mixture;
-  glm::vec2 answer{};
-  for (const face::Term& term : shape.faces) {
-    const Look& look = looks_[term.index];
-    answer += term.weight * look.surface;
-    if (term.weight > kUnseen) mixture.Add(look.texture, term.weight);
-  }
+  for (const face::Term& term : shape.faces)
+    if (term.weight > kUnseen) mixture.Add(looks_[term.index].texture, term.weight);
   mixture.KeepWhatIsMixed();
   const std::span used = mixture.shares();
   const Variant& variant = VariantFor(used.size());
@@ -148,12 +164,24 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
     depths->Bind(kDepthsUnit);
     pores_.Bind(kPoresUnit);
   }
+  if (scattered != nullptr) scattered->Bind(kScatteredUnit);
   gl::Apply({});
   variant.program.Use();
-  gl::Program::Set(variant.surface, answer);
+  gl::Program::Set(variant.surface, AnswerOf(shape.faces));
   gl::Program::Set(variant.weights, mixture.weights());
+  gl::Program::Set(variant.scatter, scattered != nullptr ? ScatterOf(shape.faces) : 0.0F);
   const bool alone = shape.faces.size() == 1;
   (dressed && alone ? surface.fine_worn(shape.faces[0].index) : surface.fine()).Draw();
+}
+
+// Hair and clothes hide nothing here: what they cover is drawn over by them.
+void BodyPass::DrawLight(const Surface& surface, const face::Shape& shape, const gl::DepthMap& depths) const {
+  depths.Bind(kDepthsUnit);
+  pores_.Bind(kPoresUnit);
+  gl::Apply({});
+  light_.program.Use();
+  gl::Program::Set(light_.surface, AnswerOf(shape.faces));
+  surface.fine().Draw();
 }
 
 void BodyPass::DrawDepth(const Surface& surface) const {

@@ -12,6 +12,7 @@
 #include "render/gl/program.h"
 #include "render/gl/texture.h"
 #include "render/passes/quality.h"
+#include "render/passes/scatter.h"
 #include "render/passes/surface.h"
 
 namespace kaori::passes {
@@ -27,8 +28,15 @@ class BodyPass {
   // Shape::faces, each by its weight. `dressed`: all hair and clothes of the faces are drawn, so
   // that skin beneath need not be. A texture that is not loaded yet is loaded now, which stalls the
   // frame: see LoadNext.
-  // `depths` are the key lamp's in this frame; null where the quality is basic.
-  void Draw(const Surface& surface, const face::Shape& shape, bool dressed, const gl::DepthMap* depths);
+  // `depths` are the key lamp's in this frame; null where the quality is basic. `scattered` is what DrawLight drew of
+  // this frame, spread; null where nothing was.
+  void Draw(const Surface& surface, const face::Shape& shape, bool dressed, const gl::DepthMap* depths,
+            const ScatterPass* scattered = nullptr);
+  // How much of the light on the skins of these faces, by weight, is spread within it, 0..1: metal spreads none.
+  float ScatterOf(const face::Terms& faces) const;
+  // Draws the light on the surface's fine mesh, and how far it lies, into the picture that ScatterPass has begun. Of
+  // the fine quality.
+  void DrawLight(const Surface& surface, const face::Shape& shape, const gl::DepthMap& depths) const;
   // Draws the surface's fine mesh into depth alone, whole: hair and clothes hide nothing from the lamp that is not
   // theirs to shade. Of the fine quality.
   void DrawDepth(const Surface& surface) const;
@@ -49,6 +57,7 @@ class BodyPass {
     gl::Program program;
     int surface = -1;
     int weights = -1;
+    int scatter = -1;
   };
   // What of a face's SurfaceLook the shader needs.
   struct Look {
@@ -56,6 +65,8 @@ class BodyPass {
     // Softness, metal.
     glm::vec2 surface{};
   };
+  // Of the faces of a shape, by weight.
+  glm::vec2 AnswerOf(const face::Terms& faces) const;
   // `textures`: 1, 2 or 4.
   Result<void> AddVariant(int textures, Quality quality);
   // What the fine quality needs besides.
@@ -74,6 +85,7 @@ class BodyPass {
   std::vector<Look> looks_;
   // Of the fine quality.
   gl::Program depth_;
+  Variant light_;
   gl::Texture pores_;
 };
 

@@ -118,15 +118,19 @@ Result<void> Painter::Parts::SetQuality(Quality wanted) {
   auto locks = HairPass::Open(wanted);
   if (!locks) return tl::unexpected(locks.error());
   std::optional<gl::DepthMap> map;
+  std::optional<ScatterPass> spread;
   if (wanted == Quality::kFine) {
-    auto made = gl::DepthMap::Make(kShadowSide_px);
-    if (!made) return tl::unexpected(made.error());
-    map.emplace(std::move(*made));
+    Result<void> made;
+    Keep(gl::DepthMap::Make(kShadowSide_px), map, made);
+    Keep(ScatterPass::Open(), spread, made);
+    if (!made) return made;
   }
   if (body) skin->AdoptSkins(*body);
   body.emplace(std::move(*skin));
   hair.emplace(std::move(*locks));
   depths = std::move(map);
+  scatter = std::move(spread);
+  scattered = nullptr;
   quality = wanted;
   return {};
 }
@@ -153,12 +157,23 @@ void Painter::Parts::DrawShadows() {
   frame.BindUniforms(kFrameBinding);
 }
 
+// Skin of metal is left as it is, and costs nothing.
+void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas,
+                                  const gl::Box& figure) {
+  scattered = nullptr;
+  if (body->ScatterOf(shape.faces) < kPainterUnseen) return;
+  if (!scatter->Begin(canvas.width_px(), canvas.height_px())) return;
+  body->DrawLight(surface, shape, *depths);
+  scatter->Spread(figure);
+  scattered = &*scatter;
+}
+
 // Front to back, so that what is hidden costs little.
 void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& shape) {
   hair->Draw(appearance, hairdo, block, LampDepths());
   lashes->Draw(shape);
   clothes->Draw(appearance, dressing, block);
-  body->Draw(surface, shape, HairShare(scene) > kPainterWhole, LampDepths());
+  body->Draw(surface, shape, HairShare(scene) > kPainterWhole, LampDepths(), scattered);
   hair->DrawBehind(appearance, hairdo, block, LampDepths());
   eyes->Draw(shape, scene.gaze, scene.pupil);
   mouth->Draw(appearance, shape);
@@ -241,6 +256,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   if (fine && p.depths) {
     p.surface.WriteSqueeze(p.squeeze.Between(p.rest, shape.cage));
     p.DrawShadows();
+    p.ScatterLight(shape, canvas, figure.whole);
   }
   const float print = PrintShare(p.prints, shape.faces);
   // Who has left leaves a layer without a figure, by which the others are thinned.

@@ -25,6 +25,7 @@
 #include "render/passes/mouth.h"
 #include "render/passes/painter.h"
 #include "render/passes/preparation.h"
+#include "render/passes/scatter.h"
 #include "render/passes/squeeze.h"
 #include "render/passes/surface.h"
 #include "render/passes/wire.h"
@@ -46,6 +47,8 @@ struct Painter::Parts {
   void ComposeAtRest(const face::Weights& weights);
   // Draws what the key lamp sees into `depths`. For the fine quality, before the layer is begun; the frame is bound.
   void DrawShadows();
+  // Draws the light on the skin apart and spreads it, for DrawTextured of the same frame. As DrawShadows, and after it.
+  void ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure);
   // Writes and binds the uniforms of a frame.
   void BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
   // Into the layer that is begun.
@@ -84,6 +87,10 @@ struct Painter::Parts {
   std::optional<gl::DepthMap> depths;
   // Null where the quality is basic.
   const gl::DepthMap* LampDepths() const { return depths ? &*depths : nullptr; }
+  // Made for the fine quality alone.
+  std::optional<ScatterPass> scatter;
+  // Of the frame that is drawn; null where light stays where it falls.
+  const ScatterPass* scattered = nullptr;
   face::Composer composer;
   Squeeze squeeze;
   // The cage of the frame's faces without expressions; of the fine quality.

@@ -10,6 +10,9 @@ in vec3 in_camera;
 in vec3 facing;
 in vec4 rest;
 uniform vec2 surface;
+uniform sampler2D scattered;   // The light on skin after it was spread; a: metres from the camera.
+uniform float scatter;         // 0..1: how much of it is seen.
+const float kSameSkin = 0.01;  // Metres: a pixel of the picture may lie on what another one's middle does not see.
 #else
 in vec4 lit;
 in vec3 rest;
@@ -36,6 +39,9 @@ void main() {
 #endif
 #ifdef BY_PIXEL
   Lit l = FineSkin(in_camera, normalize(facing), rest, surface, pressed);
+  vec4 spread = texelFetch(scattered, ivec2(gl_FragCoord.xy), 0);
+  float same = step(abs(spread.a + in_camera.z), kSameSkin);
+  l.diffuse = mix(l.diffuse, spread.rgb, same * scatter);
   vec3 light = skin.rgb * l.diffuse + (l.added + skin.a * l.gloss);
 #else
   vec3 light = skin.rgb * lit.rgb + (lit.a + skin.a * rest.z);
