@@ -139,7 +139,10 @@ bool Context::ReadsSamples() {
   GLint minor = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   glGetIntegerv(GL_MINOR_VERSION, &minor);
-  return major > 3 || (major == 3 && minor >= 1);
+  if (major < 3 || (major == 3 && minor < 1)) return false;
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most);
+  return most >= 4;
 }
 
 // GLES 3 lists extensions one by one; names are compared whole, since some begin like others.

@@ -34,7 +34,8 @@ class Context {
   void* config() const;
   void* handle() const;
 
-  // Shaders may read single samples (GLES 3.1); else these are resolved first. Of the current context.
+  // Shaders may read single samples, four of a pixel (GLES 3.1 promises one); else these are resolved first. Of the
+  // current context.
   static bool ReadsSamples();
   // Whether the driver of the current context offers an extension, by its whole name.
   static bool Offers(std::string_view extension);

@@ -69,10 +69,10 @@ std::string NameFile(std::string_view text, std::span<const std::string_view> fi
 
 Result<WholeText> Assemble(const ProgramSource& source, std::string_view file) {
   WholeText whole;
-  // #version must be the first line. GLES has no default precision for floats in fragment shaders; high is
-  // what positions in metres and light need.
+  // #version must be the first line. GLES has no default precision for floats in fragment shaders, and low
+  // precision for samplers; high is what positions in metres and light need.
   whole.text = source.reads_samples ? "#version 310 es\n" : "#version 300 es\n";
-  whole.text += "precision highp float;\nprecision highp int;\n";
+  whole.text += "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
   if (source.reads_samples) whole.text += "precision highp sampler2DMS;\n";
   whole.text += source.defines;
   if (auto done = Append(source.library, file, whole); !done) return tl::unexpected(done.error());

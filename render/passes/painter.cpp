@@ -143,15 +143,17 @@ void Painter::Parts::ComposeAtRest(const face::Weights& weights) {
   rest.assign(cage.begin(), cage.end());
 }
 
-// By the same shaders as the picture, through the lamp instead of the camera.
+// By the same shaders as the picture, through the lamp instead of the camera. Borders between faces that cross-fade lie at
+// pixels of the picture that is drawn: here of the lamp's.
 void Painter::Parts::DrawShadows() {
   FrameBlock by_lamp = block;
   by_lamp.projection = block.lamp;
+  by_lamp.sway.z = by_lamp.sway.w = kShadowSide_px;
   frame.Write(std::as_bytes(std::span(&by_lamp, 1)));
   frame.BindUniforms(kFrameBinding);
   depths->Begin();
-  hair->DrawDepth(appearance, hairdo, block);
-  clothes->Draw(appearance, dressing, block);
+  hair->DrawDepth(appearance, hairdo, by_lamp);
+  clothes->Draw(appearance, dressing, by_lamp);
   body->DrawDepth(surface);
   frame.Write(std::as_bytes(std::span(&block, 1)));
   frame.BindUniforms(kFrameBinding);

@@ -31,6 +31,11 @@ void Painter::Parts::WarmUp(Shader shader) {
   surface.WriteFine(shape);
   surface.WriteCage(shape);
   BindFrame(scene, *backstage);
+  if (depths && (shader == Shader::kHair || shader == Shader::kClothes)) {
+    // What grows and changes throws other shadows than what is whole, by shaders of their own.
+    hairdo.Comb(appearance, head_fit, shape.faces, 0.5F);
+    DrawShadows();
+  }
   const gl::Box whole = backstage->whole();
   backstage->BeginLayer({&whole, 1}, whole);
   switch (shader) {

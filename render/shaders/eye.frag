@@ -22,19 +22,19 @@ float Spokes(float angle, float r) {
 
 // Lit from above, an iris glows at its far side, below.
 vec3 IrisColour(float r, vec2 at) {
-  float below = smoothstep(0.5, -1.0, at.y);
+  float below = (1.0 - smoothstep(-1.0, 0.5, at.y));
   vec3 c = iris.rgb * mix(0.50 + 1.15 * below, 1.0, answer.y) * (0.99 + 0.34 * drawn.z * Spokes(atan(at.y, at.x), r));
   float rim = smoothstep(0.74, 1.0, r);
   c = mix(c * (1.0 - max(drawn.y, 0.0) * rim), vec3(0.62, 0.66, 0.68), 0.7 * max(-drawn.y, 0.0) * rim);
   c *= 1.0 - 0.6 * drawn.w * smoothstep(0.55, 0.85, abs(fract(r * 3.0) * 2.0 - 1.0));
-  return c * (1.0 - 0.95 * smoothstep(drawn.x + 0.04, drawn.x - 0.04, r));
+  return c * (1.0 - 0.95 * (1.0 - smoothstep(drawn.x - 0.04, drawn.x + 0.04, r)));
 }
 
 // Lids shade the ball below them, and most in the corners where they meet.
 float LidShade(float under_upper, float over_lower) {
-  float upper = 0.62 * smoothstep(0.48, 0.02, under_upper);
-  float lower = 0.30 * smoothstep(0.16, 0.0, over_lower);
-  float corner = 0.34 * smoothstep(0.50, 0.10, under_upper + over_lower);
+  float upper = 0.62 * (1.0 - smoothstep(0.02, 0.48, under_upper));
+  float lower = 0.30 * (1.0 - smoothstep(0.0, 0.16, over_lower));
+  float corner = 0.34 * (1.0 - smoothstep(0.10, 0.50, under_upper + over_lower));
   return (1.0 - upper) * (1.0 - lower) * (1.0 - corner);
 }
 
@@ -49,11 +49,11 @@ void main() {
   vec3 d = normalize(in_head);
   float over_lower = d.y - LowerLid(d.x);
   float lit = (0.42 + 0.58 * shade.x) * LidShade(UpperLid(d.x) - d.y, over_lower);
-  c *= mix(mix(1.0, lit, 0.35 + 0.65 * soft), 1.0, answer.y * smoothstep(1.04, 1.0, r));
+  c *= mix(mix(1.0, lit, 0.35 + 0.65 * soft), 1.0, answer.y * (1.0 - smoothstep(1.0, 1.04, r)));
   vec2 edge = 1.0 - vec2(0.0195, 0.0080) * mix(0.2, 1.0, glint_size);
   float glint = mix(0.5, 1.0, glint_size) * smoothstep(edge.x, edge.y, dot(d, glint_at));
   float veil = 0.010 * smoothstep(0.2, 0.9, dot(d, vec3(1.5 * glint_at.xy, 0.70)));
-  float tears = smoothstep(0.0, 0.02, over_lower) * smoothstep(0.055, 0.02, over_lower);
+  float tears = smoothstep(0.0, 0.02, over_lower) * (1.0 - smoothstep(0.02, 0.055, over_lower));
   c += (0.95 * glint + veil + 0.14 * tears * shade.x) * answer.x * soft;
   colour = Coded(c * key.w);
 }

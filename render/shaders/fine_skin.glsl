@@ -43,7 +43,8 @@ Lit FineSkin(vec3 p, vec3 n, vec4 rest, vec2 surface, vec2 pressed) {
   vec2 slope = kPoreSlope * skin_like * (texture(pores, rest.xy * kPoresInUv).xy - 0.5) + wrinkles.xy;
   vec3 bumped = Bumped(n, p, rest.xy, slope);
   float under_chin = mix(rest.w, 1.0, 0.85);
-  Lit lit = Skin(p, bumped, rest.z * (1.0 - 0.30 * wrinkles.z), surface, under_chin, bled);
+  float open = max(rest.z, 0.0) * (1.0 - 0.30 * wrinkles.z);  // Beyond a triangle's edge it may fall below 0.
+  Lit lit = Skin(p, bumped, open, surface, under_chin, bled);
   // Gloss is of the lamp, and shadow takes it away. A second, narrower one: skin is moist.
   vec3 toward_eye = normalize(-p);
   float h = clamp(dot(bumped, normalize(key.xyz + toward_eye)), 0.0, 1.0);

@@ -6,13 +6,13 @@
 #include "frame.glsl"
 #include "light.glsl"
 #include "fine_hair.glsl"
-in vec3 in_camera;
-in vec3 facing;
-in vec3 to_tip;
-in vec2 open_number;
+centroid in vec3 in_camera;
+centroid in vec3 facing;
+centroid in vec3 to_tip;
+centroid in vec2 open_number;
 uniform vec3 paint;
 #else
-in vec4 lit;       // rgb; a: highlight.
+centroid in vec4 lit;       // rgb; a: highlight.
 #endif
 in vec2 uv;     // Across the stripes, along the lock.
 uniform vec3 gleam;
@@ -38,9 +38,14 @@ float Share(float stripe) {
 }
 #endif
 
+// Stripes that are narrower than pixels are their mean: they would be dots. `width`: of a pixel, across the stripes.
+float Stripe(float x, float width) { return mix(Zigzag(x), 0.25, smoothstep(0.30, 0.80, width)); }
+
 void main() {
   bool hard = uv.x < -50.0;
-  float stripe = hard ? 0.55 : Zigzag(uv.x * 3.0 + 0.3 * uv.y) + Zigzag(uv.x * 7.3) * 0.8 + Zigzag(uv.x * 12.7) * 0.6;
+  float width = fwidth(uv.x);
+  float stripe = Stripe(uv.x * 3.0 + 0.3 * uv.y, 3.0 * width) + 0.8 * Stripe(uv.x * 7.3, 7.3 * width) + 0.6 * Stripe(uv.x * 12.7, 12.7 * width);
+  stripe = hard ? 0.55 : stripe;
 #ifdef BY_PIXEL
   vec4 lit = FineHair(in_camera, normalize(facing), normalize(to_tip), open_number, paint, stripe);
   float present = hard ? 1.0 : StrandLeft(uv.y, Zigzag(uv.x * 3.0 + 0.3 * uv.y) + 0.8 * Zigzag(uv.x * 7.3));

@@ -8,13 +8,13 @@ layout(location = 3) in vec3 lock_place;   // x along, y across, z shade.
 layout(location = 4) in float lock_number; // 0..1, one for each lock.
 #define lock vec4(lock_place, lock_number)
 #ifdef BY_PIXEL
-out vec3 in_camera;    // Metres.
-out vec3 facing;       // The normal and the direction to the tip, camera's frame; not of unit length between vertices.
-out vec3 to_tip;
-out vec2 open_number;  // x: how open it lies; y: the lock's number.
+centroid out vec3 in_camera;    // Metres.
+centroid out vec3 facing;       // The normal and the direction to the tip, camera's frame; not of unit length between vertices.
+centroid out vec3 to_tip;
+centroid out vec2 open_number;  // x: how open it lies; y: the lock's number.
 #else
 uniform vec3 paint;
-out vec4 lit;
+centroid out vec4 lit;
 #endif
 out vec2 uv;
 #ifdef GROWTH
@@ -35,7 +35,7 @@ float Reach() {
 // Hair that has not its whole length lies down towards its end, and at last sinks into the scalp. In between it stands off
 // a little: the scalp that faces have together is not quite where the motion says.
 vec3 Bedded(vec3 p, float reach) {
-  float sunk = 0.025 * smoothstep(reach - 0.20, reach, lock.x) + 0.16 * smoothstep(0.4, 0.0, reach);
+  float sunk = 0.025 * smoothstep(reach - 0.20, reach, lock.x) + 0.16 * (1.0 - smoothstep(0.0, 0.4, reach));
   float length_left = min(reach / kWhole, 1.0);
   sunk -= 0.10 * length_left * (1.0 - length_left);
   return mix(p, kMiddle, sunk + 0.22 * grown.y);

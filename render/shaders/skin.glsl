@@ -10,8 +10,8 @@ struct Lit {
 float Mirror(vec3 n, vec3 toward_eye) {
   vec3 r = reflect(-toward_eye, n);
   float ry = dot(r, up.xyz);
-  float horizon = smoothstep(-0.2, 0.05, ry) * smoothstep(0.5, 0.2, ry);
-  float window = smoothstep(0.45, 0.75, ry) * smoothstep(0.98, 0.8, ry) * smoothstep(0.9, 0.1, r.x);
+  float horizon = smoothstep(-0.2, 0.05, ry) * (1.0 - smoothstep(0.2, 0.5, ry));
+  float window = smoothstep(0.45, 0.75, ry) * (1.0 - smoothstep(0.8, 0.98, ry)) * (1.0 - smoothstep(0.1, 0.9, r.x));
   return 0.25 + 0.55 * horizon + 0.9 * window;
 }
 
