@@ -56,9 +56,13 @@ class EmulatedSurface {
                                 fmt::format("{}/{}.bin", options.chip, which.image), socket, which.registers},
                                log);
     if (!node) return tl::unexpected(node.error());
-    const auto listens = [&] { return std::filesystem::exists(socket) || !node->runs(); };
-    scene.target.Until(listens, kLongestEmulatorStart);
-    auto chip = sim::ChipUsb::Connect(socket);
+    // The socket's file is there before the emulator listens at it.
+    Result<std::unique_ptr<sim::ChipUsb>> chip;
+    const auto connects = [&] {
+      chip = sim::ChipUsb::Connect(socket);
+      return chip || !node->runs();
+    };
+    scene.target.Until(connects, kLongestEmulatorStart);
     if (!chip) return FailAs(chip.error(), chip.error().attempt + ": " + ReadFile(log).value_or(""));
     return EmulatedSurface(std::move(*node), std::move(*chip), log);
   }
