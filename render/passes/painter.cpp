@@ -160,8 +160,7 @@ void Painter::Parts::DrawShadows() {
 }
 
 // Skin of metal is left as it is, and costs nothing.
-void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas,
-                                  const gl::Box& figure) {
+void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
   scattered = nullptr;
   if (body->ScatterOf(shape.faces) < kPainterUnseen) return;
   if (!scatter->Begin(canvas.width_px(), canvas.height_px())) return;

@@ -38,12 +38,18 @@ float Share(float stripe) {
 }
 #endif
 
+#ifdef BY_PIXEL
 // Stripes that are narrower than pixels are their mean: they would be dots. `width`: of a pixel, across the stripes.
 float Stripe(float x, float width) { return mix(Zigzag(x), 0.25, smoothstep(0.30, 0.80, width)); }
+#else
+#define Stripe(x, width) Zigzag(x)
+#endif
 
 void main() {
   bool hard = uv.x < -50.0;
+#ifdef BY_PIXEL
   float width = fwidth(uv.x);
+#endif
   float stripe = Stripe(uv.x * 3.0 + 0.3 * uv.y, 3.0 * width) + 0.8 * Stripe(uv.x * 7.3, 7.3 * width) + 0.6 * Stripe(uv.x * 12.7, 12.7 * width);
   stripe = hard ? 0.55 : stripe;
 #ifdef BY_PIXEL

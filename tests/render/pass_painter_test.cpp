@@ -258,6 +258,19 @@ TEST(Painter, DrawsOnCanvasesOfAnySize) {
   }
 }
 
+// Room for the light on skin is made for the largest canvas, and serves smaller ones.
+TEST(Painter, DrawsFinelyOnASmallCanvasAfterALargeOneAsBefore) {
+  PassStudio& studio = PassStudio::Shared();
+  ASSERT_TRUE(studio.painter().SetQuality(passes::Quality::kFine));
+  const scene::Scene scene = PlainScene(Style::kSoft);
+  const Picture before = studio.Draw(scene, 120, 90);
+  const Picture large = studio.Draw(scene, 320, 300);
+  const Picture after = studio.Draw(scene, 120, 90);
+  ASSERT_TRUE(studio.painter().SetQuality(passes::Quality::kBasic));
+  EXPECT_GT(large.bytes[1], 0);
+  EXPECT_EQ(before.bytes, after.bytes);
+}
+
 TEST(Painter, AllocatesNothingForAThousandFrames) {
   PassStudio& studio = PassStudio::Shared();
   auto canvas = gl::Canvas::Make({.width_px = 16, .height_px = 12});
