@@ -96,6 +96,12 @@ void Program::Set(int at, const glm::vec3& value) {
 void Program::Set(int at, const glm::vec4& value) {
   glUniform4fv(at, 1, glm::value_ptr(value));
 }
+void Program::Set(int at, const glm::ivec2& value) {
+  glUniform2iv(at, 1, glm::value_ptr(value));
+}
+void Program::Set(int at, const glm::ivec4& value) {
+  glUniform4iv(at, 1, glm::value_ptr(value));
+}
 void Program::Set(int at, const glm::mat3& value) {
   glUniformMatrix3fv(at, 1, GL_FALSE, glm::value_ptr(value));
 }

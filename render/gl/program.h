@@ -60,6 +60,8 @@ class Program {
   static void Set(int at, const glm::vec2& value);
   static void Set(int at, const glm::vec3& value);
   static void Set(int at, const glm::vec4& value);
+  static void Set(int at, const glm::ivec2& value);
+  static void Set(int at, const glm::ivec4& value);
   static void Set(int at, const glm::mat3& value);
   static void Set(int at, std::span<const float> values);
   static void Set(int at, std::span<const glm::vec4> values);

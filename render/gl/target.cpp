@@ -55,12 +55,16 @@ Result<Target> Target::MakeWithDepth(const TextureOptions& options) {
               fmt::format("make a depth of {} x {} pixels", options.width_px, options.height_px));
 }
 
-// glClear obeys the depth mask, which the last pass may have left off; of a target without depth it clears none.
-void Target::BeginCleared(int width_px, int height_px) const {
+void Target::BeginWithin(int width_px, int height_px, const Box& box) const {
   assert(width_px <= options_.width_px && height_px <= options_.height_px);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.id());
   glViewport(0, 0, width_px, height_px);
-  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
+}
+
+// glClear obeys the depth mask, which the last pass may have left off; of a target without depth it clears none.
+void Target::Clear() const {
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

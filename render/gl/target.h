@@ -5,6 +5,7 @@
 #include <span>
 
 #include "drivers/base/result.h"
+#include "render/gl/box.h"
 #include "render/gl/handle.h"
 #include "render/gl/texture.h"
 
@@ -24,10 +25,11 @@ class Target {
   // The same with 24 bits of depth.
   static Result<Target> MakeWithDepth(const TextureOptions& options);
 
-  // Makes all of it black, without coverage, and the depth far; drawing goes to its first rows and columns from here
-  // on, as many as a canvas of this size has, neither more than its own. Sets framebuffer and viewport, and turns the
-  // scissor test off.
-  void BeginCleared(int width_px, int height_px) const;
+  // Drawing goes to `box` from here on, seen as a part of a picture of this size, which is no larger than the target.
+  // Sets framebuffer, viewport and scissor test.
+  void BeginWithin(int width_px, int height_px, const Box& box) const;
+  // Makes what drawing goes to black, without coverage, and its depth far.
+  void Clear() const;
 
   // Drawing goes to all of it from here on: sets framebuffer and viewport, and turns the scissor test off.
   void Begin() const;

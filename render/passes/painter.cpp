@@ -163,9 +163,9 @@ void Painter::Parts::DrawShadows() {
 void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
   scattered = nullptr;
   if (body->ScatterOf(shape.faces) < kPainterUnseen) return;
-  if (!scatter->Begin(canvas.width_px(), canvas.height_px())) return;
+  if (!scatter->Begin(canvas.width_px(), canvas.height_px(), figure)) return;
   body->DrawLight(surface, shape, *depths);
-  scatter->Spread(figure);
+  scatter->Spread();
   scattered = &*scatter;
 }
 

@@ -15,11 +15,12 @@ Result<ScatterPass> ScatterPass::Open() {
   pass.program_ = std::move(*program);
   pass.program_.BindSampler("light", 0);
   pass.axis_ = pass.program_.Find("axis");
+  pass.within_ = pass.program_.Find("within");
   pass.everywhere_ = gl::Mesh({}, 3);
   return pass;
 }
 
-bool ScatterPass::Begin(int width_px, int height_px) {
+bool ScatterPass::Begin(int width_px, int height_px, const gl::Box& figure) {
   if (refused_) return false;
   const bool has_room = light_ && light_->width_px() >= width_px && light_->height_px() >= height_px;
   if (!has_room) {
@@ -39,25 +40,28 @@ bool ScatterPass::Begin(int width_px, int height_px) {
   }
   width_px_ = width_px;
   height_px_ = height_px;
-  light_->BeginCleared(width_px, height_px);
+  figure_ = figure;
+  light_->BeginWithin(width_px, height_px, figure);
+  light_->Clear();
   return true;
 }
 
 // Two Gaussians after each other are one over the plane: their sums are not, but nobody sees the difference.
-void ScatterPass::Spread(const gl::Box& box) const {
-  SpreadAlong(*light_, *between_, {1, 0}, box);
-  SpreadAlong(*between_, *light_, {0, 1}, box);
+void ScatterPass::Spread() const {
+  SpreadAlong(*light_, *between_, {1, 0});
+  SpreadAlong(*between_, *light_, {0, 1});
 }
 
-// All is cleared, for what lies beside the box is looked up as well.
-void ScatterPass::SpreadAlong(const gl::Target& from, const gl::Target& into, glm::vec2 axis,
-                              const gl::Box& box) const {
-  into.BeginCleared(width_px_, height_px_);
+// Every pixel of the figure is written, so nothing is cleared: on small graphics that costs as much as all else.
+void ScatterPass::SpreadAlong(const gl::Target& from, const gl::Target& into, const glm::ivec2& axis) const {
+  into.BeginWithin(width_px_, height_px_, figure_);
   gl::Apply({.depth = gl::Depth::kOff});
   from.texture().Bind(0);
   program_.Use();
   gl::Program::Set(axis_, axis);
-  gl::CutTo(box);
+  gl::Program::Set(within_,
+                   glm::ivec4(figure_.left_px, figure_.bottom_px, figure_.left_px + figure_.width_px - 1,
+                              figure_.bottom_px + figure_.height_px - 1));
   everywhere_.Draw();
 }
 

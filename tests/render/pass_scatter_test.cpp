@@ -64,8 +64,7 @@ class ScatterTest : public ::testing::Test {
   static Row Spread(const Half& left, const Half& right) {
     auto pass = passes::ScatterPass::Open();
     EXPECT_TRUE(pass) << pass.error().message();
-    EXPECT_TRUE(pass->Begin(kScatterSide_px, kScatterSide_px));
-    glEnable(GL_SCISSOR_TEST);
+    EXPECT_TRUE(pass->Begin(kScatterSide_px, kScatterSide_px, {0, 0, kScatterSide_px, kScatterSide_px}));
     Fill(0, left);
     Fill(kScatterEdge_px, right);
     const passes::FrameBlock block =
@@ -74,7 +73,7 @@ class ScatterTest : public ::testing::Test {
     gl::Buffer frame(gl::BufferUse::kStatic, sizeof(block));
     frame.Write(std::as_bytes(std::span(&block, 1)));
     frame.BindUniforms(passes::kFrameBinding);
-    pass->Spread({0, 0, kScatterSide_px, kScatterSide_px});
+    pass->Spread();
     return Read(*pass);
   }
 };
