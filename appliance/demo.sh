@@ -26,7 +26,7 @@ demo() {
   [ -z "$listen" ] || is_address "$listen" ||
     fail "--listen $listen: expected an IPv4 address of this machine, such as 192.168.0.7, or 0.0.0.0 for all of them"
   [ -z "$pack" ] || is_show "$pack"
-  [[ $quality =~ ^(auto|basic|fine)?$ ]] || fail "--quality $quality: expected auto, basic or fine"
+  [[ $quality =~ ^(auto|basic|fine|finest)?$ ]] || fail "--quality $quality: expected auto, basic, fine or finest"
   [ -z "$quality" ] || of_stage+=(--quality "$quality")
   choose_evening
   need "${BUILD_PACKAGES[@]}"

@@ -45,7 +45,7 @@ constexpr std::string_view kHelp =
   --monitor-size 1280x720
   --size 960x540     of the picture
   --hz 30            pictures a second
-  --quality basic    how finely the face is drawn: basic, fine as on a graphics card, or auto: what this machine draws in time
+  --quality basic    how finely the face is drawn: basic, fine or finest as on a graphics card, or auto: what this machine draws in time
 )";
 
 // What was asked for on the command line.
@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (!kaori::stage::IsQualityWish(settings.quality)) {
-    kaori::LogError("--quality {}: expected auto, basic or fine", settings.quality);
+    kaori::LogError("--quality {}: expected auto, basic, fine or finest", settings.quality);
     return 2;
   }
   const auto size = kaori::ParseSize(settings.size);

@@ -68,7 +68,7 @@ constexpr float kUnseen = 1.0F / 512;
 Result<void> BodyPass::AddVariant(int textures, Quality quality) {
   auto program = MakeProgram("body.vert", "body.frag",
                              fmt::format("#define TEXTURES {}\n{}", textures,
-                                         quality == Quality::kFine ? "#define BY_PIXEL\n" : ""));
+                                         quality != Quality::kBasic ? "#define BY_PIXEL\n" : ""));
   if (!program) return tl::unexpected(program.error());
   Variant& v = variants_[static_cast<std::size_t>(textures / 2)];
   v.program = std::move(*program);
@@ -101,7 +101,7 @@ Result<BodyPass> BodyPass::Open(const face::Cast& cast, Quality quality) {
   for (const int textures : {1, 2, 4}) {
     if (auto added = pass.AddVariant(textures, quality); !added) return tl::unexpected(added.error());
   }
-  if (quality == Quality::kFine) {
+  if (quality != Quality::kBasic) {
     if (auto added = pass.AddFine(); !added) return tl::unexpected(added.error());
   }
   pass.cast_ = &cast;

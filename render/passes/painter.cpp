@@ -18,9 +18,6 @@ constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 constexpr float kPainterUnseen = 1.0F / 1024;
 constexpr float kPainterWhole = 1 - kPainterUnseen;
 
-// Of the map of the lamp's depths: half a millimetre of the face each texel.
-constexpr int kShadowSide_px = 1024;
-
 // Behind glowing lines the stage is darker.
 constexpr float kWireBackdrop = 0.10F;
 
@@ -119,12 +116,10 @@ Result<void> Painter::Parts::SetQuality(Quality wanted) {
   if (!locks) return tl::unexpected(locks.error());
   std::optional<gl::DepthMap> map;
   std::optional<ScatterPass> spread;
-  if (wanted == Quality::kFine) {
-    Result<void> made;
-    Keep(gl::DepthMap::Make(kShadowSide_px), map, made);
-    Keep(ScatterPass::Open(), spread, made);
-    if (!made) return made;
-  }
+  Result<void> made;
+  if (wanted != Quality::kBasic) Keep(gl::DepthMap::Make(kShadowSide_px), map, made);
+  if (wanted == Quality::kFinest) Keep(ScatterPass::Open(), spread, made);
+  if (!made) return made;
   if (body) skin->AdoptSkins(*body);
   body.emplace(std::move(*skin));
   hair.emplace(std::move(*locks));
@@ -141,32 +136,6 @@ void Painter::Parts::ComposeAtRest(const face::Weights& weights) {
   at_rest.faces = weights.faces;
   const auto cage = composer.Compose(at_rest, face::Detail::kCage).cage;
   rest.assign(cage.begin(), cage.end());
-}
-
-// By the same shaders as the picture, through the lamp instead of the camera. Borders between faces that cross-fade lie at
-// pixels of the picture that is drawn: here of the lamp's.
-void Painter::Parts::DrawShadows() {
-  FrameBlock by_lamp = block;
-  by_lamp.projection = block.lamp;
-  by_lamp.sway.z = by_lamp.sway.w = kShadowSide_px;
-  frame.Write(std::as_bytes(std::span(&by_lamp, 1)));
-  frame.BindUniforms(kFrameBinding);
-  depths->Begin();
-  hair->DrawDepth(appearance, hairdo, by_lamp);
-  clothes->Draw(appearance, dressing, by_lamp);
-  body->DrawDepth(surface);
-  frame.Write(std::as_bytes(std::span(&block, 1)));
-  frame.BindUniforms(kFrameBinding);
-}
-
-// Skin of metal is left as it is, and costs nothing.
-void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
-  scattered = nullptr;
-  if (body->ScatterOf(shape.faces) < kPainterUnseen) return;
-  if (!scatter->Begin(canvas.width_px(), canvas.height_px(), figure)) return;
-  body->DrawLight(surface, shape, *depths);
-  scatter->Spread();
-  scattered = &*scatter;
 }
 
 // Front to back, so that what is hidden costs little.

@@ -1,4 +1,4 @@
-// What a painter is made of. For painter.cpp and painter_warm_up.cpp alone.
+// What a painter is made of. For painter.cpp, painter_light.cpp and painter_warm_up.cpp alone.
 #pragma once
 
 #include <array>
@@ -31,6 +31,9 @@
 #include "render/passes/wire.h"
 
 namespace kaori::passes {
+
+// Of the map of the lamp's depths: half a millimetre of the face each texel.
+inline constexpr int kShadowSide_px = 1024;
 
 // Styles that share a mesh are mixed in its shaders; the groups are drawn apart, and dissolve as whole
 // pictures.
@@ -87,7 +90,7 @@ struct Painter::Parts {
   std::optional<gl::DepthMap> depths;
   // Null where the quality is basic.
   const gl::DepthMap* LampDepths() const { return depths ? &*depths : nullptr; }
-  // Made for the fine quality alone.
+  // Made for the finest quality alone.
   std::optional<ScatterPass> scatter;
   // Of the frame that is drawn; null where light stays where it falls.
   const ScatterPass* scattered = nullptr;

@@ -15,11 +15,19 @@ Quality QualityFor(std::string_view renderer) {
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const bool software = std::ranges::any_of(
       kSoftware, [&](std::string_view name) { return lower.find(name) != std::string::npos; });
-  return software ? Quality::kBasic : Quality::kFine;
+  return software ? Quality::kBasic : Quality::kFinest;
 }
 
 std::string_view NameOf(Quality quality) {
-  return quality == Quality::kFine ? "fine" : "basic";
+  switch (quality) {
+    case Quality::kBasic:
+      return "basic";
+    case Quality::kFine:
+      return "fine";
+    case Quality::kFinest:
+      return "finest";
+  }
+  return "";
 }
 
 }  // namespace kaori::passes

@@ -1,6 +1,6 @@
 // Light within skin: what enters at one place comes out around it, red farthest, so that edges of shade are soft and
 // warm. The skin's light is drawn apart, and spread along the picture's two axes, one after the other (Jimenez and
-// others 2015, "Separable Subsurface Scattering"). Of the fine quality.
+// others 2015, "Separable Subsurface Scattering"). Of the finest quality.
 #pragma once
 
 #include <optional>

@@ -118,15 +118,18 @@ void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<
 // The default look as a graphics card draws it; nothing where a processor draws.
 void MeasureFine(const gl::Context& context, passes::Painter& painter, int frames,
                  std::vector<Metric>& metrics) {
-  if (passes::QualityFor(context.renderer()) != passes::Quality::kFine) return;
-  if (!Opened(painter.SetQuality(passes::Quality::kFine))) return;
-  for (const Size size : kSizes) {
-    Screen screen(size);
-    const auto draw = [&](int frame) {
-      painter.Draw(SceneAt(frame, scene::Style::kSoft), screen.canvas);
-      screen.canvas.ReadPixels(screen.bytes);
-    };
-    Append(NameOf("fine", size), Measure(draw, frames), metrics);
+  if (passes::QualityFor(context.renderer()) == passes::Quality::kBasic) return;
+  for (const auto& [quality, name] :
+       {std::pair{passes::Quality::kFine, "fine"}, std::pair{passes::Quality::kFinest, "finest"}}) {
+    if (!Opened(painter.SetQuality(quality))) return;
+    for (const Size size : kSizes) {
+      Screen screen(size);
+      const auto draw = [&](int frame) {
+        painter.Draw(SceneAt(frame, scene::Style::kSoft), screen.canvas);
+        screen.canvas.ReadPixels(screen.bytes);
+      };
+      Append(NameOf(name, size), Measure(draw, frames), metrics);
+    }
   }
 }
 

@@ -1,5 +1,5 @@
-// Both qualities of drawing show the same faces; the fine one more of them. Pairs are written beside the build, to be
-// looked at: look/quality-FACE.png, basic on the left.
+// All qualities of drawing show the same faces; the finer ones more of them. Pairs are written beside the build, to be
+// looked at: look/quality-FACE.png, basic on the left, the finest on the right.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -92,13 +92,15 @@ TEST_F(QualityTest, ShowsTheSameFaces) {
     const std::string& name = cast_->faces[face].name;
     const auto basic = Draw(SceneOf(face), Quality::kBasic);
     const auto fine = Draw(SceneOf(face), Quality::kFine);
+    const auto finest = Draw(SceneOf(face), Quality::kFinest);
     auto pair = image::Picture::Blank(2 * kPair_width_px, kPair_height_px);
     image::Paste(basic, pair, 0, 0);
-    image::Paste(fine, pair, kPair_width_px, 0);
+    image::Paste(finest, pair, kPair_width_px, 0);
     EXPECT_TRUE(image::WritePng(folder / ("quality-" + name + ".png"), pair));
     const double mean = MeanDifference(basic, fine);
     EXPECT_GT(mean, 0.05) << name << ": nothing is drawn finely";
     EXPECT_LT(mean, 4) << name << ": is another face";
+    EXPECT_LT(MeanDifference(fine, finest), 1.5) << name << ": light within skin makes another face";
     farthest = std::max(farthest, mean);
   }
   tests::Report("quality_mean_difference", farthest);
@@ -119,8 +121,8 @@ TEST(QualityOfADriver, IsBasicWhereAProcessorDraws) {
   EXPECT_EQ(passes::QualityFor("llvmpipe (LLVM 15.0.6, 256 bits)"), Quality::kBasic);
   EXPECT_EQ(passes::QualityFor("virgl (LLVMPIPE (LLVM 15.0.6))"), Quality::kBasic);
   EXPECT_EQ(passes::QualityFor("softpipe"), Quality::kBasic);
-  EXPECT_EQ(passes::QualityFor("Mesa Intel(R) UHD Graphics 620 (KBL GT2)"), Quality::kFine);
-  EXPECT_EQ(passes::QualityFor("AMD Radeon Graphics (radeonsi, renoir)"), Quality::kFine);
+  EXPECT_EQ(passes::QualityFor("Mesa Intel(R) UHD Graphics 620 (KBL GT2)"), Quality::kFinest);
+  EXPECT_EQ(passes::QualityFor("AMD Radeon Graphics (radeonsi, renoir)"), Quality::kFinest);
 }
 
 }  // namespace

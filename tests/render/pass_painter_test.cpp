@@ -261,7 +261,7 @@ TEST(Painter, DrawsOnCanvasesOfAnySize) {
 // Room for the light on skin is made for the largest canvas, and serves smaller ones.
 TEST(Painter, DrawsFinelyOnASmallCanvasAfterALargeOneAsBefore) {
   PassStudio& studio = PassStudio::Shared();
-  ASSERT_TRUE(studio.painter().SetQuality(passes::Quality::kFine));
+  ASSERT_TRUE(studio.painter().SetQuality(passes::Quality::kFinest));
   const scene::Scene scene = PlainScene(Style::kSoft);
   const Picture before = studio.Draw(scene, 120, 90);
   const Picture large = studio.Draw(scene, 320, 300);

@@ -270,7 +270,7 @@ struct StageStatus {
   std::uint32_t expression = 0;
   std::uint32_t style = 0;
   std::uint32_t scene = 0;
-  std::uint32_t fine = 0;  // 1: it draws in fine quality (render/passes/quality.h), else basic.
+  std::uint32_t quality = 0;  // How finely it draws (render/passes/quality.h): 0 basic, 1 fine, 2 finest.
 };
 
 // What the stage needs to go on after a restart without a jump. Opaque to the board; see Hold and Restore in

@@ -18,12 +18,12 @@ inline constexpr Duration kFineFrame = std::chrono::milliseconds(11);
 // none.
 bool IsInTime(std::span<const Duration> times);
 
-// "auto", "basic" or "fine".
+// "auto", "basic", "fine" or "finest".
 bool IsQualityWish(std::string_view wish);
 
 // Has the studio draw as `wish` says, of those above; "auto" is what its driver can: basic on a processor; on a card
-// fine, where some frames of the show's first face, timed now, are drawn in time. Blocks for some 100 ms on a card.
-// Returns the quality and why, for the log: "fine, 3.1 ms a frame". Where the driver refuses, what was set last stays.
+// the finest in which some frames of the show's first face, timed now, are drawn in time. Blocks for some 100 ms on a
+// card. Returns the quality and why, for the log: "fine, 3.1 ms a frame". Where the driver refuses, what was set last stays.
 std::string ChooseQuality(Studio& studio, std::string_view wish);
 
 }  // namespace kaori::stage

@@ -286,7 +286,7 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   status_.expression = state_.expressions.to;
   status_.style = state_.styles.to;
   status_.scene = state_.scene;
-  status_.fine = studio_.quality() == passes::Quality::kFine ? 1 : 0;
+  status_.quality = static_cast<std::uint32_t>(studio_.quality());
   status_.input_age = std::clamp(state_.last - NewestInput(snapshot), Duration{}, kOldestInput);
   status_.draw = pacer_.usual();
   status_.margin = pacer_.margin();

@@ -30,7 +30,7 @@ constexpr std::string_view kStageHelp = R"(kaori-stage: draws the face that the 
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
-  --quality Q     how finely it draws: basic for processors, fine for graphics cards, auto (usual): what this machine draws in time
+  --quality Q     how finely it draws: basic for processors, fine or finest for graphics cards, auto (usual): what this machine draws in time
   --settings FOLDER what the box was told when it started (/run/kaori-profile)
   --fdkeeper SOCKET where the card is kept while no stage runs
   --still FILE    writes the show's first moment there, as a PPM
@@ -70,7 +70,7 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
       .Switch("--verified", into.verified);
   if (const auto status = options.Parse(argc, argv)) return status;
   if (!IsQualityWish(into.quality)) {
-    LogError("--quality {}: expected auto, basic or fine", into.quality);
+    LogError("--quality {}: expected auto, basic, fine or finest", into.quality);
     return 2;
   }
   if (!into.rehearse.empty()) return std::nullopt;

@@ -15,6 +15,9 @@
 namespace kaori::status {
 namespace {
 
+// As the board numbers them.
+constexpr std::array<std::string_view, 3> kQualities{"basic", "fine", "finest"};
+
 using board::SourceState;
 using namespace std::chrono_literals;
 
@@ -67,7 +70,8 @@ Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time
       s.missed_flips == 0 ? "none was late" : fmt::format("{} were late", s.missed_flips);
   return {Mark::kGood, "show",
           fmt::format("The show has {} frames a second, {} each; {}; {} quality.", Number(s.frames_per_s),
-                      FrameTime(s.draw), late, s.fine != 0 ? "fine" : "basic")};
+                      FrameTime(s.draw), late,
+                      kQualities[std::min<std::size_t>(s.quality, kQualities.size() - 1)])};
 }
 
 Line Screen(const ports::Output& output) {

@@ -32,6 +32,12 @@ TEST_F(QualityChoiceTest, IsAsItWasAskedForAndCanBeTakenBack) {
   EXPECT_EQ(studio_->quality(), Quality::kBasic);
 }
 
+TEST_F(QualityChoiceTest, MayBeTheFinestOnAProcessorToo) {
+  EXPECT_EQ(stage::ChooseQuality(*studio_, "finest"), "finest, as asked for");
+  EXPECT_EQ(studio_->quality(), Quality::kFinest);
+  EXPECT_TRUE(studio_->TimeFrame({}, 64, 36));
+}
+
 TEST(FramesInTime, AreJudgedByTheirMedian) {
   EXPECT_TRUE(stage::IsInTime(std::array<Duration, 3>{3ms, 90ms, 4ms})) << "one hiccup is no slow card";
   EXPECT_FALSE(stage::IsInTime(std::array<Duration, 3>{3ms, 12ms, 13ms}));

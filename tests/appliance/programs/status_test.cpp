@@ -74,7 +74,7 @@ TEST_F(StatusWords, TheShowSaysItsRateAndWhatCameLate) {
   state_.board.stage_status = {
       {.draw = 6200us, .missed_flips = 3, .frames_per_s = 59.9F}, state_.now, SourceState::kLive};
   EXPECT_EQ(Said("show"), "  The show has 60 frames a second, 6.2 ms each; 3 were late; basic quality.");
-  state_.board.stage_status.value.fine = 1;
+  state_.board.stage_status.value.quality = 1;
   EXPECT_EQ(Said("show"), "  The show has 60 frames a second, 6.2 ms each; 3 were late; fine quality.");
   state_.now += 30s;
   EXPECT_EQ(Said("show"), "! There has been no picture for less than a minute.");

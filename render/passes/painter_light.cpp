@@ -1,0 +1,37 @@
+#include "render/passes/painter_parts.h"
+
+namespace kaori::passes {
+namespace {
+
+// A quarter of a step of 8 bits: nobody sees what has less.
+constexpr float kUnscattered = 1.0F / 1024;
+
+}  // namespace
+
+// By the same shaders as the picture, through the lamp instead of the camera. Borders between faces that cross-fade lie at
+// pixels of the picture that is drawn: here of the lamp's.
+void Painter::Parts::DrawShadows() {
+  FrameBlock by_lamp = block;
+  by_lamp.projection = block.lamp;
+  by_lamp.sway.z = by_lamp.sway.w = kShadowSide_px;
+  frame.Write(std::as_bytes(std::span(&by_lamp, 1)));
+  frame.BindUniforms(kFrameBinding);
+  depths->Begin();
+  hair->DrawDepth(appearance, hairdo, by_lamp);
+  clothes->Draw(appearance, dressing, by_lamp);
+  body->DrawDepth(surface);
+  frame.Write(std::as_bytes(std::span(&block, 1)));
+  frame.BindUniforms(kFrameBinding);
+}
+
+// Skin of metal is left as it is, and costs nothing.
+void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
+  scattered = nullptr;
+  if (!scatter || body->ScatterOf(shape.faces) < kUnscattered) return;
+  if (!scatter->Begin(canvas.width_px(), canvas.height_px(), figure)) return;
+  body->DrawLight(surface, shape, *depths);
+  scatter->Spread();
+  scattered = &*scatter;
+}
+
+}  // namespace kaori::passes
