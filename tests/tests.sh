@@ -45,7 +45,7 @@ run_tests() {
   ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}" || fail "tests failed; they are named above"
   [ ${#match[@]} -eq 0 ] || return 0
   python3 -B tests/rules/report.py . $BUILD out/house.json
-  python3 -B tests/system/company_report.py out
+  python3 -B tests/system/company_report.py out || fail "out/company.json misses a bar; see above"
   python3 -B tests/appliance/show_report.py $BIN out/show.json || fail "out/show.json is not whole; see above"
   python3 -B tests/look/look_report.py $BIN out/look.json || fail "out/look.json is not whole, or misses a bar; see above"
 }

@@ -15,6 +15,7 @@ import re
 import sys
 from pathlib import Path
 
+import graphics_cards
 import video_modes
 
 LEAST_MEMORY_MB = 256  # What the image's page asks for.
@@ -23,27 +24,13 @@ LEAST_CORES = 2  # What draws 960x540 smoothly without a graphics card.
 SECURE_BOOT = "sys/firmware/efi/efivars/SecureBoot-8be4df61-93ca-11d2-aa0d-00e098032b8c"
 SETUP_MODE = "sys/firmware/efi/efivars/SetupMode-8be4df61-93ca-11d2-aa0d-00e098032b8c"
 
-# Beginnings of PCI device ids of Intel's graphics, by generation. Kernel 6.12 and Mesa 22.3 of the image drive these without
-# files of Intel's own; most of what came later wants firmware (docs/image.md).
-INTEL = (
-    ("Sandy Bridge, Ivy Bridge", r"01[0-6]"),
-    ("Haswell", r"04[0-2]|0[acd][0-2]"),
-    ("Bay Trail, Braswell", r"0f3|22b"),
-    ("Broadwell", r"16[0-3]"),
-    ("Skylake", r"19[0-3]"),
-    ("Apollo Lake, Gemini Lake", r"0a84|1a8|5a8|318"),
-    ("Kaby Lake to Comet Lake", r"59[0-2]|87[0c]|3e[9a]|9b[2ac]|9bf"),
-    ("Ice Lake", r"8a[5-7]"),
-    ("Elkhart Lake, Jasper Lake", r"45[457]|4e[567]"),
-    ("Tiger Lake", r"9a[4567cdf]"),
-    ("Rocket Lake", r"4c[89]"),
-    ("Alder Lake-S", r"46[89][0-9a-f]"),
-)
-# Of 2006 to 2010: the kernel drives them, but they draw no GLES 3, and the stage draws nothing else.
-WANT_FILES = {"0x8086": "intel", "0x1002": "amd"}
-INTEL_TOO_OLD = r"29[6-9b]|2a[04]|2e|004[26]"
 STARTS = ("SATA", "NVMe", "virtio", "SD or eMMC", "USB")  # Ways to a disk from which the box starts.
-VENDORS = {"0x8086": "Intel", "0x1002": "AMD", "0x10de": "NVIDIA", "0x1af4": "virtio", "0x1234": "Bochs", "0x1a03": "ASPEED"}
+# Drivers of wired cards in the image's kernel, by the settings that put them there.
+WIRED = {"e1000e": "CONFIG_E1000E", "igb": "CONFIG_IGB", "igc": "CONFIG_IGC", "r8169": "CONFIG_R8169"}
+# Cards that Realtek's own drivers (r8168, r8125) take as well: r8169 drives them.
+REALTEK, R8169 = "0x10ec", ("0x8125", "0x8126", "0x8136", "0x8161", "0x8162", "0x8167", "0x8168", "0x8169")
+VENDORS = {"0x8086": "Intel", "0x1002": "AMD", "0x10de": "NVIDIA", "0x1af4": "virtio", "0x1234": "Bochs", "0x1a03": "ASPEED",
+           REALTEK: "Realtek"}
 
 
 class Findings:
@@ -115,31 +102,54 @@ def is_set(variable):
         return False
 
 
-def intel_generation(device):
-    number = device.removeprefix("0x")
-    return next((name for name, pattern in INTEL if re.match(pattern, number)), None)
+def graphics_words(family, name):
+    """The verdict on a card, and what is said of it: what draws on it, by Mesa's driver of its kind."""
+    smoothly = "the processor draws, smoothly at 960x540 with two cores"
+    if family is None:
+        return "note", f"{name}: a card that this program does not know; where the image has no driver for it {smoothly}"
+    what = f"{name} ({family.name}" + (f", Mesa's {family.mesa})" if family.mesa else ")")
+    why = f": {family.why}" if family.why else ""
+    if family.draws == graphics_cards.NOT_AT_ALL:
+        return "NO", f"{what}{why}"
+    if family.draws == graphics_cards.NEVER:
+        return "note", f"{what}{why}; {smoothly}, and the card with no image: --graphics does not help"
+    if family.draws == graphics_cards.AS_IT_IS:
+        return "ok", f"{what}: the image as it is drives it; {family.why}"
+    also = f"; {family.why}" if family.why else ""
+    return "note", f"{what}: {smoothly}; the card draws with ./box image --graphics {family.draws} or all, and files of its maker " \
+        f"(docs/image.md){also}"
+
+
+def pci_cards(root, kind):
+    """(vendor, device, name, folder) of the PCI devices whose class begins so."""
+    for card in sorted((root / "sys/bus/pci/devices").glob("*")):
+        if read(card / "class").startswith(kind):
+            vendor, device = read(card / "vendor"), read(card / "device")
+            name = f"{VENDORS.get(vendor, 'vendor ' + vendor)} {vendor.removeprefix('0x')}:{device.removeprefix('0x')}"
+            yield vendor, device, name, card
 
 
 def check_graphics(root, findings):
-    cards = [d for d in sorted((root / "sys/bus/pci/devices").glob("*")) if read(d / "class").startswith("0x03")]
+    cards = list(pci_cards(root, "0x03"))
     if not cards:
         findings.add("note", "graphics", "no PCI graphics card was found: the processor draws on whatever the firmware has lit")
-    for card in cards:
-        vendor, device = read(card / "vendor"), read(card / "device")
-        name = f"{VENDORS.get(vendor, 'vendor ' + vendor)} {vendor.removeprefix('0x')}:{device.removeprefix('0x')}"
-        generation = intel_generation(device) if vendor == "0x8086" else None
-        if vendor == "0x8086" and re.match(INTEL_TOO_OLD, device.removeprefix("0x")):
-            findings.add("NO", "graphics", f"{name}: too old to draw what the stage draws (GLES 3)")
-        elif generation:
-            findings.add("ok", "graphics", f"{name} ({generation}): its driver is in the image; no such PC was tried yet")
-        elif vendor in ("0x1af4", "0x1234"):
-            findings.add("ok", "graphics", f"{name}: its driver is in the image")
-        elif vendor in WANT_FILES:
-            findings.add("note", "graphics", f"{name}: the processor draws, smoothly at 960x540 with two cores; the card draws with "
-                         f"./box image --graphics {WANT_FILES[vendor]} and files of its maker, if it is not too new (docs/image.md)")
-        else:
-            findings.add("note", "graphics", f"{name}: the image has no driver for it; the processor draws at the resolution that the "
-                         "firmware has lit, smoothly at 960x540 with two cores")
+    for vendor, device, name, _ in cards:
+        verdict, said = graphics_words(graphics_cards.family_of(vendor, device), name)
+        findings.add(verdict, "graphics", said)
+
+
+def check_network(root, findings):
+    """Wired cards, which the desk alone needs; one that the running system drives by a driver of the image's kernel serves."""
+    cards = []
+    for vendor, device, name, folder in pci_cards(root, "0x0200"):
+        driver = (folder / "driver").resolve().name if (folder / "driver").exists() else ""
+        driver = "r8169" if vendor == REALTEK and device in R8169 else driver
+        cards.append((driver in WIRED, f"{name}" + (f" ({driver})" if driver else "")))
+    for serves, what in cards:
+        findings.add("ok" if serves else "note", "network", f"{what}: " + ("its driver is in the image" if serves else
+                     f"the image has no driver for it; it has {', '.join(WIRED)}"))
+    if not any(serves for serves, _ in cards):
+        findings.add("note", "network", "no wired card that the image drives: the box plays without, and the desk cannot be reached")
 
 
 def check_screens(root, findings):
@@ -189,6 +199,15 @@ def check_sound(root, findings):
         findings.add("note", "sound", "none: no voice is heard and no sound played; a USB sound card serves")
 
 
+def modes_told(modes):
+    """"YUYV 640x480 at 30 15, 320x240 at 30; MJPG 1280x720 at 30": by pixel format and size, pictures a second as the camera gives them."""
+    formats = {}
+    for pixels, width, height, rate in modes:
+        formats.setdefault(pixels, {}).setdefault(f"{width}x{height}", []).append(f"{rate:g}" if rate == int(rate) else f"{rate:.1f}")
+    return "; ".join(f"{pixels} " + ", ".join(f"{size} at {' '.join(rates)}" for size, rates in sizes.items())
+                     for pixels, sizes in formats.items())
+
+
 def check_cameras(root, findings):
     cameras = 0
     for node in sorted((root / "sys/class/video4linux").glob("video*")):
@@ -197,14 +216,13 @@ def check_cameras(root, findings):
             continue
         cameras += 1
         name = f"{read(node / 'name')} ({node.name})"
+        told = f"; its modes: {modes_told(modes or [])}"
         if modes is None:
             findings.add("note", "camera", f"{name}: its modes cannot be read; run this as root")
         elif any(f == "YUYV" and (w, h) == (640, 480) and rate >= 29.9 for f, w, h, rate in modes):
-            findings.add("ok", "camera", f"{name}: 640x480 at 30 pictures a second in YUYV")
+            findings.add("ok", "camera", f"{name}: 640x480 at 30 pictures a second in YUYV{told}")
         else:
-            best = max(modes, key=lambda mode: (mode[3], mode[1]))
-            findings.add("note", "camera", f"{name}: has no 640x480 at 30 pictures a second in YUYV (its fastest mode: {best[0]} "
-                         f"{best[1]}x{best[2]} at {best[3]:.0f}); the lips want one that has")
+            findings.add("note", "camera", f"{name}: has no 640x480 at 30 pictures a second in YUYV; the lips want one that has{told}")
     if not cameras:
         findings.add("note", "camera", "none: the lips want a USB camera (video class) with 640x480 at 30 pictures a second in YUYV")
 
@@ -224,8 +242,8 @@ def check_watchdog(root, findings):
         findings.add("note", "watchdog", "none that the image drives: a box whose first program hangs must be switched off and on")
 
 
-CHECKS = (check_processor, check_memory, check_firmware, check_graphics, check_screens, check_disks, check_sound, check_cameras,
-          check_input, check_watchdog)
+CHECKS = (check_processor, check_memory, check_firmware, check_graphics, check_screens, check_disks, check_network, check_sound,
+          check_cameras, check_input, check_watchdog)
 
 
 def verdict_of(lines):

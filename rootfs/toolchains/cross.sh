@@ -91,6 +91,7 @@ test_arm64() {
   local failed=0
   ctest --test-dir out/build/arm64 --output-on-failure -j 2 --no-tests=error -E "$NOT_EMULATED" \
     --output-junit "$PWD/out/cross/arm64/tests.xml" || failed=1
+  python3 -B tests/rootfs/layer_test.py . out/build/release --grammar out/cross/node_modules || failed=1
   python3 -B tests/rootfs/cross_report.py . out/build/arm64 out/cross/arm64/tests.xml out/cross/node_modules out/cross.json || failed=1
   [ $failed -eq 0 ] || fail "what failed is named above; the figures are in out/cross.json"
 }

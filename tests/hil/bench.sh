@@ -124,7 +124,7 @@ run_all_checks() {
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
   run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json
-  tests/system/company_report.py out
+  run_check "a company has all of a box of its own (out/company.json)" tests/system/company_report.py out --whole
 }
 
 # What an image for another processor is tried by: its start, play, kills, cables and lines, and the same disk by UEFI.

@@ -6,7 +6,8 @@ gets one figure for each key of BOUNDS; ends with 1 where one is missing or out 
 
   fat_images, fat_images_hung    damaged file systems of sticks that were mounted, and those on which the kernel hung
   usb_liars, usb_liars_let_in    USB devices that are not what they say, and those of them that were authorised
-  hung_program_back_s            until a program of the box that hangs is replaced and delivers again, in an emulated machine
+  hung_program_back_s            until a program of the box that hangs is replaced and delivers again; the goal is 2, an emulated
+                                 machine reaches 2.5, and more than 3 is a fault
   silent_clients_wait_ms         until a visitor is answered behind a thousand connections that say nothing
 """
 
@@ -20,7 +21,8 @@ import recorded
 
 # The least and the most of each.
 BOUNDS = {"fat_images": (10_000, math.inf), "fat_images_hung": (0, 0), "usb_liars": (18, math.inf), "usb_liars_let_in": (0, 0),
-          "hung_program_back_s": (0, 5), "silent_clients_wait_ms": (0, 1000)}
+          "hung_program_back_s": (0, 3), "silent_clients_wait_ms": (0, 1000)}
+GOALS = {"hung_program_back_s": 2}  # The most.
 HUNG = ("hung_input_back_s", "hung_lips_back_s")
 CROWD = "*DoNotWaitForAThousandWhoSayNothingOrHalfAWord"
 
@@ -48,7 +50,7 @@ def faults(found):
 def main():
     boot, program, file = (Path(word).resolve() for word in sys.argv[1:4])
     found = figures(bounded_report.read(boot), wait_of_visitor(program))
-    return bounded_report.write("trust_report.py", found, BOUNDS, file)
+    return bounded_report.write("trust_report.py", found, BOUNDS, file, goals=GOALS)
 
 
 if __name__ == "__main__":

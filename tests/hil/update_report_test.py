@@ -1,7 +1,6 @@
 #!/usr/bin/env -S python3 -B
 """The report on updates names what is missing and what is out of its bounds."""
 
-import bounded_report
 import update_report
 
 CASES = [{"log_points": "1800", "log_points_wrong": "0", "good_slot_bytes_changed": "0", "fat_sectors_written": "0"},
@@ -14,7 +13,7 @@ SEEN = {"update_install_s": 300.0, "start_sectors_written": 0, "power_cycles": 2
 
 def faults(*more, passed=True, seen=SEEN, bundle_bytes=80_000_000):
     found = update_report.figures([*more, *CASES], passed, seen, bundle_bytes)
-    return list(bounded_report.faults(found, update_report.BOUNDS))
+    return list(update_report.bounded_report.faults(found, update_report.BOUNDS))
 
 
 def main():

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes what builds for other machines came to: cross_report.py ROOT BUILD TESTS.xml NODE_MODULES FILE.json
+"""Writes what builds for other machines came to: cross_report.py ROOT BUILD TESTS.xml NODE_MODULES FILE.json [--whole]
 
-  programs_arm64      programs of the box and its tools in BUILD that are for 64-bit ARM
-  programs_all        those that there should be
+  programs_arm64      programs in BUILD that are for 64-bit ARM
+  programs_all        those that there should be: every kaori_program of the tree's CMakeLists.txt
   tests_arm64         tests that ran in QEMU's user mode (TESTS.xml, of ctest)
   tests_arm64_failed  those of them that failed
   sdk_cases           cases of tests/rootfs/sdk_test.py, with Debian's cross compiler in the SDK's place
@@ -13,27 +13,43 @@
   first_face_arm64_s  from power to the first frames there, emulated
   checks_arm64        checks of the bench that passed on that image
   checks_arm64_failed
-  image_no_llvm_mb    the image for a board with a driver of its own, compressed, without LLVM and without the kernel
+  image_no_llvm_mb    the image for a board with a driver of its own, compressed, without LLVM and without the kernel: the goal is 20
   image_no_llvm_parts_mb  the same by part, each compressed by itself, with the kernel
 
 What nobody measured is null: the last two where ./box image --board rpi4 did not run (image-rpi4.json beside FILE.json); those before
 where ./box test --bench --arch arm64 did not run (bench-arm64/report.xml and boot-arm64.json there); the tests where TESTS.xml is not
-there.
+there. Ends with 1 where a figure is out of its bounds or one of this run's own is null; with --whole, where any is.
 """
 
 import json
+import math
 import re
 import subprocess
 import sys
 import xml.etree.ElementTree
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import bounded_report
 import layer
 
-PROGRAMS = ("kaori-boot", "kaori-data", "kaori-fdkeeper", "kaori-input", "kaori-lips", "kaori-power", "kaori-report", "kaori-shows", "kaori-stage",
-            "kaori-surface", "kaori-update", "kaori-desk", "kaori-status", "kaori-atelier", "kaori-sim", "kaori-rehearsal",
-            "kaori-evening", "kaori-bench", "kaori-gadget")
+# The least and the most of each; all programs are to be there.
+BOUNDS = {"programs_arm64": (1, math.inf), "tests_arm64": (1, math.inf), "tests_arm64_failed": (0, 0), "sdk_cases": (1, math.inf),
+          "sdk_cases_failed": (0, 0), "recipe_errors": (0, 0), "boots_arm64": (1, 1), "face_arm64": (1, 1),
+          "first_face_arm64_s": (0, math.inf), "checks_arm64": (1, math.inf), "checks_arm64_failed": (0, 0),
+          "image_no_llvm_mb": (0, math.inf)}
+GOALS = {"image_no_llvm_mb": 20}  # The most.
+# What measures a figure that is not of this run.
+RUNS = {**dict.fromkeys(("boots_arm64", "face_arm64", "first_face_arm64_s", "checks_arm64", "checks_arm64_failed"),
+                        "./box test --bench --arch arm64"), "image_no_llvm_mb": "./box image --board rpi4 --arch arm64"}
 AARCH64 = 183  # e_machine of an ELF file.
+
+
+def programs(root):
+    """Names of all programs that the tree builds; folders of builds have CMakeLists.txt too, of others."""
+    listed = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard", "*CMakeLists.txt"], capture_output=True, text=True, check=True)
+    texts = [(root / path).read_text() for path in listed.stdout.splitlines()]
+    return sorted({name for text in texts for name in re.findall(r"(?m)^ *kaori_(?:installed_)?program\((kaori-[\w-]+)", text)})
 
 
 def is_arm64(program):
@@ -81,22 +97,27 @@ def of_tests(file):
     return {name: int(ran.get(key)) if ran.get(key) else None for name, key in (("tests_arm64", "tests"), ("tests_arm64_failed", "failures"))}
 
 
+def bounds_of(figures):
+    return BOUNDS | {"programs_arm64": (figures["programs_all"], figures["programs_all"])}
+
+
 def main():
     root, build, tests, modules, file = (Path(word).resolve() for word in sys.argv[1:6])
     cases, failed = sdk_cases(root, root / "out/cross/arm64/sysroot")
     recipe = list(layer.offences(root, root / "out/build/release", modules))
     print("\n".join(recipe))
+    wanted = programs(root)
+    missing = [name for name in wanted if not is_arm64(build / f"bin/{name}")]
+    if missing:
+        print(f"not built for 64-bit ARM: {', '.join(missing)}")
     figures = {
-        "programs_arm64": sum(is_arm64(build / f"bin/{name}") for name in PROGRAMS), "programs_all": len(PROGRAMS),
+        "programs_arm64": len(wanted) - len(missing), "programs_all": len(wanted),
         **of_tests(tests),
         "sdk_cases": cases, "sdk_cases_failed": failed, "recipe_errors": len(recipe),
         **of_the_bench(file.parent),
         **of_boards(file.parent),
     }
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(json.dumps(figures, indent=2) + "\n")
-    print("\n".join(f"{name:20} {value}" for name, value in figures.items()))
-    return 1 if failed or recipe or figures["programs_arm64"] < len(PROGRAMS) else 0
+    return bounded_report.write("cross_report.py", figures, bounds_of(figures), file, runs=RUNS, goals=GOALS, is_whole="--whole" in sys.argv)
 
 
 if __name__ == "__main__":

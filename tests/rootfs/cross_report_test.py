@@ -1,5 +1,6 @@
 #!/usr/bin/env -S python3 -B
-"""The report on builds for other processors: what nobody measured is null and never 0, and a failure is one."""
+"""The report on builds for other processors: what nobody measured is null and never 0, a failure is one, and all programs of the
+tree count."""
 
 import tempfile
 from pathlib import Path
@@ -13,7 +14,42 @@ CASES = """<testsuites><testsuite>
 </testsuite></testsuites>"""
 
 
+ROOT = Path(__file__).resolve().parents[2]
+GOOD = {"programs_arm64": 25, "programs_all": 25, "tests_arm64": 900, "tests_arm64_failed": 0, "sdk_cases": 12, "sdk_cases_failed": 0,
+        "recipe_errors": 0, "boots_arm64": 1, "face_arm64": 1, "first_face_arm64_s": 31.2, "checks_arm64": 17, "checks_arm64_failed": 0,
+        "image_no_llvm_mb": 20}
+
+
+def faults(is_whole=True, **changed):
+    figures = GOOD | changed
+    bounds = cross_report.bounds_of(figures)
+    return list(cross_report.bounded_report.faults(figures, bounds, cross_report.RUNS, is_whole))
+
+
+def bounds_hold():
+    assert faults() == [], faults()
+    for wrong in ({"programs_arm64": 24}, {"tests_arm64_failed": 1}, {"sdk_cases_failed": 1}, {"recipe_errors": 1}, {"boots_arm64": 0},
+                  {"face_arm64": 0}, {"checks_arm64_failed": 1}, {"tests_arm64": None}):
+        assert len(faults(is_whole=False, **wrong)) == 1, wrong
+    unseen = {"boots_arm64": None, "image_no_llvm_mb": None}
+    assert faults(is_whole=False, **unseen) == [], "other runs measure them"
+    assert faults(**unseen) == ["boots_arm64 was not measured; ./box test --bench --arch arm64 does",
+                                "image_no_llvm_mb was not measured; ./box image --board rpi4 --arch arm64 does"]
+    large = {"image_no_llvm_mb": 35.2}
+    assert faults(**large) == [], "a goal is no bound"
+    assert list(cross_report.bounded_report.short_of_goals(large, cross_report.GOALS)) == [
+        "image_no_llvm_mb is 35.2: its goal of 20 is not reached"]
+
+
+def all_programs_count():
+    names = cross_report.programs(ROOT)
+    assert {"kaori-stage", "kaori-bundle", "kaori-benchmark", "kaori-hil-agent", "kaori-input-latency", "kaori-packer"} <= set(names), names
+    assert not [name for name in names if not name.startswith("kaori-")], names
+
+
 def main():
+    bounds_hold()
+    all_programs_count()
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder)
         assert set(cross_report.of_the_bench(out).values()) == {None}, "nothing ran"

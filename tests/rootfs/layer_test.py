@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 """Whether the layer for OpenEmbedded agrees with what is built, and whether faults of each kind are found:
-layer_test.py ROOT BUILD"""
+layer_test.py ROOT BUILD [--grammar NODE_MODULES]
 
+With --grammar what layer.py finds by bitbake's grammar and by kas's schema too; without, the schema alone where this machine has
+it, and what was not tried is skipped by name."""
+
+import importlib.util
 import shutil
 import sys
 import tempfile
@@ -9,6 +13,7 @@ import unittest
 from pathlib import Path
 
 ROOT, BUILD = (Path(word).resolve() for word in sys.argv[1:3])
+MODULES = Path(sys.argv[4]).resolve() if sys.argv[3:4] == ["--grammar"] else None
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).parent))
 import layer  # noqa: E402
@@ -28,23 +33,49 @@ SEEDED = (
     (layer.KAS / "kaori-box.yml", "target: kaori-box-image", "target: kaori-image", "there is no image kaori-image"),
     (Path("rootfs/overlay/usr/lib/systemd/system/kaori.target"), "[Install]", "[Unit]", "has no [Install]"),
 )
+# The same, of what only the grammar of recipes finds, and of what only kas's schema does.
+OF_GRAMMAR = (
+    (layer.RECIPE, "inherit cmake", "inherit = cmake", "kaori-box_git.bb:16: not what bitbake's grammar expects"),
+    (layer.RECIPE, 'PV = "0.2+git"', 'PV = "0.2+git', "not what bitbake's grammar expects"),
+    (layer.LAYER / "conf/layer.conf", 'BBPATH .= ":${LAYERDIR}"', 'BBPATH .=', "layer.conf:3: not what bitbake's grammar expects"),
+)
+OF_SCHEMA = (
+    (layer.KAS / "qemuarm64.yml", "version: 11", "version: eleven", "qemuarm64.yml: 'eleven' is not"),
+    (layer.KAS / "genericx86-64.yml", "machine: genericx86-64", "machines: genericx86-64", "'machines' was unexpected"),
+    (layer.KAS / "kaori-box.yml", "distro: poky", "distro: [poky]", "kaori-box.yml: ['poky'] is not of type"),
+)
+HAS_SCHEMA = layer.KAS_SCHEMA.is_file() and all(importlib.util.find_spec(name) for name in ("jsonschema", "yaml"))
 
 
 class TheLayer(unittest.TestCase):
     def test_has_no_fault(self):
-        self.assertEqual(list(layer.offences(ROOT, BUILD)), [])
+        self.assertEqual(list(layer.offences(ROOT, BUILD, MODULES)), [])
+
+    @unittest.skipUnless(HAS_SCHEMA, "kas is not installed: ./box test --arm64 brings it")
+    def test_every_fault_that_the_schema_of_kas_finds_is_found(self):
+        self.assertEqual(list(layer.against_schema(ROOT)), [])
+        self.find(OF_SCHEMA, layer.against_schema)
+
+    @unittest.skipUnless(MODULES and HAS_SCHEMA, "there is no grammar of recipes: ./box test --arm64 brings it")
+    def test_every_fault_that_the_grammar_or_the_schema_finds_is_named_among_all(self):
+        self.find(OF_GRAMMAR, lambda copy: layer.grammar(copy, MODULES))
+        self.find(OF_GRAMMAR[:1] + OF_SCHEMA[:1], lambda copy: layer.offences(copy, BUILD, MODULES))
 
     def test_every_seeded_fault_is_found(self):
+        self.find(SEEDED, lambda copy: layer.offences(copy, BUILD))
+
+    def find(self, seeded, faults):
+        """Seeds one fault after the other into a copy, and wants it among the faults of that copy."""
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder)
             shutil.copytree(ROOT / "rootfs", copy / "rootfs", symlinks=True)
             shutil.copy(ROOT / "LICENSE", copy)
-            for path, right, wrong, said in SEEDED:
+            for path, right, wrong, said in seeded:
                 with self.subTest(said):
                     text = (ROOT / path).read_text()
                     self.assertIn(right, text)
                     (copy / path).write_text(text.replace(right, wrong))
-                    found = list(layer.offences(copy, BUILD))
+                    found = list(faults(copy))
                     self.assertTrue(any(said in line for line in found), found)
                     (copy / path).write_text(text)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 ROOT = Path(sys.argv.pop(1))
 sys.path.insert(0, str(ROOT / "rootfs/check"))
 import check_pc  # noqa: E402
+import graphics_cards  # noqa: E402
 
 CPU = "processor\t: {}\nmodel name\t: A Processor\nflags\t\t: fpu lm avx2\n\n"
 
@@ -24,6 +25,7 @@ class Pc:
         self.write("sys/firmware/efi/fw_platform_size", "64\n")
         self.secure_boot(False)
         self.graphics("0x8086", "0x5916")
+        self.wired("0x8086", "0x15f3", "igc")
         self.write("sys/class/drm/card0-HDMI-A-1/status", "connected\n")
         self.write("sys/class/drm/card0-HDMI-A-1/modes", "1920x1080\n1280x720\n")
         self.disk("nvme0n1", "devices/pci0000:00/nvme/nvme0", 500_000_000_000)
@@ -50,6 +52,15 @@ class Pc:
     def graphics(self, vendor, device):
         for name, value in (("class", "0x030000"), ("vendor", vendor), ("device", device)):
             self.write(f"sys/bus/pci/devices/0000:00:02.0/{name}", value + "\n")
+
+    def wired(self, vendor, device, driver):
+        at = "sys/bus/pci/devices/0000:03:00.0"
+        for name, value in (("class", "0x020000"), ("vendor", vendor), ("device", device)):
+            self.write(f"{at}/{name}", value + "\n")
+        (self.root / at / "driver").unlink(missing_ok=True)
+        if driver:
+            self.write(f"sys/bus/pci/drivers/{driver}/bind", "")
+            (self.root / at / "driver").symlink_to(self.root / f"sys/bus/pci/drivers/{driver}")
 
     def disk(self, name, device, size):
         self.write(f"sys/block/{name}/size", f"{size // 512}\n")
@@ -124,14 +135,56 @@ class CheckPc(unittest.TestCase):
         self.assertEqual(self.pc.verdicts("NO"), [("NO", "disk")])
         self.assertIn("too small", self.sentence("disk"))
 
-    def test_graphics_without_a_driver_in_the_image_are_drawn_by_the_processor(self):
-        for vendor, device, name in (("0x1002", "0x1636", "AMD"), ("0x10de", "0x1cb3", "NVIDIA"), ("0x8086", "0x46a6", "Intel")):
-            self.pc.graphics(vendor, device)
-            self.assertIn(("note", "graphics"), self.pc.verdicts("note"), name)
-            self.assertIn(name, self.sentence("graphics"))
-            self.assertEqual("--graphics" in self.sentence("graphics"), name != "NVIDIA")
-        self.pc.graphics("0x8086", "0x0166")
-        self.assertIn("Ivy Bridge", self.sentence("graphics"))
+    def test_a_card_is_named_by_its_kind_and_its_driver_of_mesa_and_by_which_image_it_draws(self):
+        cards = (("0x8086", "0x5916", "ok", "Kaby Lake to Comet Lake, Mesa's iris", "as it is"),
+                 ("0x8086", "0x0166", "ok", "Sandy Bridge, Ivy Bridge, Mesa's crocus", "as it is"),
+                 ("0x8086", "0x46a6", "note", "Alder Lake-N, Mesa's iris", "--graphics intel or all"),
+                 ("0x8086", "0x7d55", "NO", "Meteor Lake", "too old"),
+                 ("0x8086", "0x2772", "NO", "Mesa's i915", "too old to draw"),
+                 ("0x1002", "0x1636", "note", "Renoir, Mesa's radeonsi", "--graphics amd or all"),
+                 ("0x1002", "0x67df", "note", "Arctic Islands, Mesa's radeonsi", "--graphics amd or all"),
+                 ("0x1002", "0x730f", "note", "Arctic Islands, Mesa's radeonsi", "--graphics amd or all"),
+                 ("0x1002", "0x6779", "note", "Mesa's r600", "--graphics does not help"),
+                 ("0x1002", "0x6898", "note", "Mesa's r600", "up to 2011"),
+                 ("0x1002", "0x7187", "note", "Mesa's r300", "up to 2011"),
+                 ("0x1002", "0x150e", "note", "a card that this program does not know", "the processor draws"),
+                 ("0x10de", "0x1cb3", "note", "Mesa's nouveau", "--graphics does not help"),
+                 ("0x1af4", "0x1050", "ok", "Mesa's virgl", "virtual machine"),
+                 ("0x1a03", "0x2000", "note", "ASPEED", "the processor draws"))
+        for vendor, device, verdict, *words in cards:
+            with self.subTest(device):
+                self.pc.graphics(vendor, device)
+                self.assertIn((verdict, "graphics"), self.pc.verdicts(verdict))
+                for word in words:
+                    self.assertIn(word, self.sentence("graphics"))
+
+    def test_a_card_draws_by_the_drivers_that_the_image_has_and_no_other(self):
+        kept = (ROOT / "rootfs/image/keep-amd64.txt").read_text()
+        for family in graphics_cards.FAMILIES:
+            with self.subTest(family.name):
+                driver = {"virgl": "virtio_gpu"}.get(family.mesa, family.mesa)
+                draws = family.draws not in (graphics_cards.NEVER, graphics_cards.NOT_AT_ALL) and family.mesa
+                self.assertTrue(f"/{driver}_dri.so" in kept if draws else True)
+                if family.draws == graphics_cards.NEVER and family.mesa:
+                    self.assertNotIn(f"/{driver}_dri.so", kept)
+
+    def test_a_wired_card_is_judged_by_the_drivers_of_the_images_kernel(self):
+        config = (ROOT / "rootfs/image/kernel/box.config").read_text().splitlines()
+        for driver, setting in check_pc.WIRED.items():
+            self.assertIn(f"{setting}=y", config)
+            self.pc.wired("0x8086", "0x1533", driver)
+            self.assertIn("its driver is in the image", self.sentence("network"))
+        self.pc.wired("0x10ec", "0x8168", "r8168")
+        self.assertIn("(r8169): its driver is in the image", self.sentence("network"))
+        for vendor, device, driver in (("0x14e4", "0x1682", "tg3"), ("0x8086", "0x100e", "e1000"), ("0x1d6a", "0x07b1", None)):
+            self.pc.wired(vendor, device, driver)
+            self.assertEqual(self.pc.verdicts("note"), [("note", "network")] * 2 + [("note", "camera")])
+            self.assertIn("has no driver for it", self.sentence("network"))
+
+    def test_a_pc_without_a_wired_card_plays_without_the_desk(self):
+        self.pc.remove("sys/bus/pci/devices/0000:03:00.0")
+        self.assertEqual(self.pc.verdicts("NO", "note"), [("note", "network"), ("note", "camera")])
+        self.assertIn("the desk cannot be reached", self.sentence("network"))
 
     def test_sound_by_a_processor_of_signals_is_named(self):
         self.pc.write("proc/asound/cards", " 0 [sofhdadsp      ]: sof-hda-dsp - sof-hda-dsp\n")
@@ -144,9 +197,12 @@ class CheckPc(unittest.TestCase):
         check_pc.video_modes.modes_of = lambda path: modes
         modes += [("MJPG", 1280, 720, 30.0), ("YUYV", 640, 480, 15.0)]
         self.assertIn("has no 640x480 at 30", self.sentence("camera"))
+        self.assertTrue(self.sentence("camera").endswith("its modes: MJPG 1280x720 at 30; YUYV 640x480 at 15"))
         modes.append(("YUYV", 640, 480, 30.0))
         self.assertEqual(self.pc.verdicts("NO", "note"), [])
         self.assertEqual(check_pc.verdict_of(self.pc.said()), "This computer will do.")
+        modes += [("YUYV", 320, 240, 7.5), ("YUYV", 320, 240, 30.0)]
+        self.assertIn("YUYV 640x480 at 15 30, 320x240 at 7.5 30", self.sentence("camera"))
 
     def test_a_pc_of_which_nothing_can_be_read_is_refused_without_an_exception(self):
         with tempfile.TemporaryDirectory() as nothing:

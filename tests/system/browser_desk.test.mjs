@@ -186,6 +186,9 @@ test('the list of the box stands on the page while the program for shows runs, w
   harness.startShows({'data/settings/box.toml': kOld, 'stick/venue.toml': '[stick.left]\ncurve = 0.4\n'});
   await until('the settings of the stick', () => page.locator('#machine-list').getByRole('button', {name: 'settings venue'}).isVisible());
   await said('take a show by its number');
+  const name = await page.locator('#name').textContent();
+  assert.notEqual(name, '');
+  assert.equal(await page.title(), `カ・オ・リ ${name}`);
 });
 
 test('settings with a mistake are refused with its line, and the box keeps its own', async () => {

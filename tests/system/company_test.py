@@ -81,7 +81,7 @@ def bad_shows(good, unsigned, foreign):
 
 def main():
     programs, pack, guide, report = (Path(word).resolve() for word in sys.argv[1:])
-    faults, refused = [], 0
+    faults, refused, tried = [], 0, 0
     author = programs / "kaori-atelier"
     with tempfile.TemporaryDirectory() as folder:
         box = Path(folder)
@@ -99,6 +99,7 @@ def main():
         (box / "company.key.pub").rename(box / "keys" / "company.pub")
         for name, bad, words in bad_shows(good, pack, foreign):
             done = install(programs, box, bad)
+            tried += 1
             if done.returncode == REFUSED and words in done.stderr and not chosen(box):
                 refused += 1
             else:
@@ -116,7 +117,7 @@ def main():
             faults.append(f"more is left than a show and the choice in two generations: {left}")
         support_kb = support_file_kb(programs, box, faults)
     block = re.search(r"\n\n((?:    \./box [^\n]+\n)+)", guide.read_text())[1]
-    figures = {"shows_installed": installed, "bad_shows_refused": refused, "commands_to_own_show": len(block.splitlines()),
+    figures = {"shows_installed": installed, "bad_shows": tried, "bad_shows_refused": refused, "commands_to_own_show": len(block.splitlines()),
                "support_file_kb": support_kb}
     known = json.loads(report.read_text()) if report.exists() else {}
     report.parent.mkdir(parents=True, exist_ok=True)

@@ -56,7 +56,7 @@ struct LogHead {
       booted_at{};  // CLOCK_MONOTONIC's 0 on the wall clock, since 1970, UTC. Tells one evening from another.
   std::int32_t utc_offset_s = 0;
   std::string roles{};  // The box's own roles.toml; empty: the show's roles play.
-  std::string box{};    // The name of the box that played (gethostname(2)); empty where it is not known.
+  std::string box{};    // The box that played, as store/box_name.h has it; empty where that is not known.
 };
 
 // Whether both are of one start of the box; a wall clock that was set by less than a minute between them

@@ -59,6 +59,8 @@ class BoxCopies {
   // To be called while busy(): the next piece, 1 MiB at most.
   Progress Step();
   bool busy() const { return writer_.has_value() || (restoration_ && !restoration_->ended()); }
+  // Of the box, as a part of a file's name.
+  std::string box() const { return places_.name(); }
   // Of what is on its way, or ended last: stands before what is said.
   const std::string& name() const { return name_; }
 

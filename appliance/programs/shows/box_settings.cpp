@@ -112,7 +112,15 @@ Result<std::string> BoxSettings::TextOf(const Choosable& taken) const {
   if (taken.kind == Choosable::Kind::kValue)
     return WithSetting(Now(), taken.id, taken.offer.name == kNone ? "" : taken.offer.name);
   const bool is_before = taken.kind == Choosable::Kind::kSettingsBefore;
-  return ReadFile(is_before ? Before() : taken.offer.file, {.most_bytes = kMostSettings_bytes});
+  const auto text = ReadFile(is_before ? Before() : taken.offer.file, {.most_bytes = kMostSettings_bytes});
+  return text && !is_before ? KeepName(*text) : text;
+}
+
+// Only a name that the box was given counts. A text with a mistake stays as it is, since the mistake is named by its line.
+std::string BoxSettings::KeepName(const std::string& text) const {
+  const std::string now = Now();
+  const bool stays = boot::ReadProfile(now).box_name.empty() || !FaultOfSettings(text, places_.zones).empty();
+  return stays ? text : WithLineOf(text, now, "name");
 }
 
 // A text that cannot be read because of what it is has a mistake; all else is the stick's, or the disk's.

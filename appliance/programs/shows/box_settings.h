@@ -1,5 +1,5 @@
-// The settings of the box at the box: those of a file on a stick, and single ones that are chosen from a list. Whatever is
-// taken is checked as a whole and shown as what it would change; once somebody agrees it is written, and counts from the
+// The settings of the box at the box: those of a file on a stick, but for the name of a box that has one, and single ones that
+// are chosen from a list. Whatever is taken is checked as a whole and shown as what it would change; once somebody agrees it is written, and counts from the
 // next start of the box on.
 #pragma once
 
@@ -60,6 +60,8 @@ class BoxSettings {
   // The text of box.toml; empty where there is none.
   std::string Now() const;
   Result<std::string> TextOf(const Choosable& taken) const;
+  // Settings of a stick with the box's own name in place of theirs, where it has one: several boxes are set up from one stick.
+  std::string KeepName(const std::string& text) const;
   std::vector<std::string> Screens() const;
   Result<void> Write(const std::string& text) const;
 

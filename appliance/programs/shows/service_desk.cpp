@@ -56,7 +56,8 @@ void InstallService::CopyForDesk(Request request) {
 // Of what asks for a press of the box's own keys nothing is said there.
 std::string InstallService::StateForDesk() const {
   const bool is_said = said_ && (said_->of_update || said_->message != Message::kShut);
-  json::Object state{{"list", menu_.number()},
+  json::Object state{{"box", of_box_.copies == nullptr ? std::string() : of_box_.copies->box()},
+                     {"list", menu_.number()},
                      {"choices", json::ListOf(menu_.Labels())},
                      {"more", menu_.left_out()},
                      {"notes", json::ListOf(menu_.notes())},

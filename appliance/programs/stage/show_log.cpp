@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "appliance/core/showlog/log_folder.h"
+#include "appliance/core/store/box_name.h"
 #include "drivers/base/checksum.h"
 #include "drivers/base/log.h"
 #include "drivers/base/read_file.h"
@@ -150,7 +151,8 @@ showlog::LogHead HeadOfLog(std::uint64_t show, const fs::path& roles, Time now) 
     head.program = Fnv1a(*program);
   if (auto text = ReadFile(roles, {.most_bytes = showlog::kMostRoles_bytes})) head.roles = std::move(*text);
   utsname host{};
-  if (::uname(&host) == 0) head.box = host.nodename;
+  const auto number = ReadBeginning(store::kBoxNumberFile, store::kShownDigits);
+  if (::uname(&host) == 0) head.box = store::NameWithNumber(host.nodename, number.value_or(""));
   const std::time_t wall = std::time(nullptr);
   std::tm local{};
   if (::localtime_r(&wall, &local) != nullptr) head.utc_offset_s = static_cast<std::int32_t>(local.tm_gmtoff);

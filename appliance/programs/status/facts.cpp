@@ -4,6 +4,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "appliance/core/store/box_name.h"
 #include "appliance/programs/status/screens_file.h"
 #include "drivers/base/read_file.h"
 
@@ -37,11 +38,16 @@ bool IsAscii(char letter) {
 
 // All files are small and lie in memory (/run), so that reading them anew each second costs next to nothing.
 Facts ReadFacts(const Places& places) {
-  Facts facts{WordOf(places.settings / "name"),          {},
-              WordOf(places.settings / "root_hash"),     WordOf(places.settings / "slot"),
-              WordOf(places.settings / "status_screen"), WordOf(places.settings / "monitor_screen"),
-              LinesOf(places.settings / "faults"),       ParseScreens(ReadFile(places.screens).value_or("")),
-              LinesOf(places.notices / "power"),         LinesOf(places.shows)};
+  Facts facts{store::NameWithNumber(WordOf(places.settings / "name"), WordOf(places.settings / "machine-id")),
+              {},
+              WordOf(places.settings / "root_hash"),
+              WordOf(places.settings / "slot"),
+              WordOf(places.settings / "status_screen"),
+              WordOf(places.settings / "monitor_screen"),
+              LinesOf(places.settings / "faults"),
+              ParseScreens(ReadFile(places.screens).value_or("")),
+              LinesOf(places.notices / "power"),
+              LinesOf(places.shows)};
   facts.update = LinesOf(places.update);
   auto spoilt = LinesOf(places.spoilt), reset = LinesOf(places.reset);
   for (auto* lines : {&spoilt, &reset, &facts.shows, &facts.update})

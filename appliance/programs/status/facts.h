@@ -27,7 +27,7 @@ struct Places {
 
 // Compared as a whole, to see whether anything has changed.
 struct Facts {
-  std::string name{};     // What the box is called; empty where no box was started.
+  std::string name{};     // Which box it is (core/store/box_name.h); empty where no box was started.
   std::string profile;    // "stage", "kiosk" or "bench"; empty where no box was started.
   std::string root_hash;  // 128 digits; empty where the root file system is not verified.
   std::string slot;       // "A" or "B", the disk's slot that was started; empty where that is not known.

@@ -166,6 +166,10 @@ class ShowsDeskCopiesTest : public ShowsDeskTest {
   }
 };
 
+TEST_F(ShowsDeskCopiesTest, SeesWhichBoxItIs) {
+  EXPECT_THAT(State(), HasSubstr("\"box\":\"left-1a2b3c4d\""));
+}
+
 TEST_F(ShowsDeskCopiesTest, GetsABackupWithoutAStickAndTheDiskKeepsNothingOfIt) {
   const std::string said = Ask("backup");
   ASSERT_TRUE(backup_) << said;

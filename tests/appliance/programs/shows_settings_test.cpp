@@ -75,6 +75,48 @@ TEST_F(SettingsTest, WithAMistakeAreRefusedWithItsPlace) {
   EXPECT_EQ(Text(kFile), kOld);
 }
 
+// Two boxes that are set up from one stick are told apart by the names that they had.
+TEST_F(SettingsTest, OfAStickLeaveABoxTheNameThatItHas) {
+  Put("settings/box.toml", std::string("name = \"right\"\n") + kOld);
+  Put("stick/box.toml", std::string("name = \"left\"\n") + kNew);
+  plugged_ = true;
+  const std::string asked = Choose("settings box");
+  EXPECT_THAT(asked, HasSubstr("changed profile  \"stage\" -> \"kiosk\""));
+  EXPECT_THAT(asked, Not(HasSubstr("name  ")));
+  Choose("yes, change them");
+  EXPECT_EQ(Text(kFile), std::string("name = \"right\"\n") + kNew);
+}
+
+TEST_F(SettingsTest, OfAStickThatNamesNoBoxLeaveTheNameToo) {
+  Put("settings/box.toml", std::string("name = \"right\"\n") + kOld);
+  Put("stick/box.toml", kNew);
+  plugged_ = true;
+  EXPECT_THAT(Choose("settings box"), Not(HasSubstr("gone    name")));
+}
+
+TEST_F(SettingsTest, OfAStickWithAMistakeAreRefusedWithItsPlaceByABoxWithANameToo) {
+  Put("settings/box.toml", std::string("name = \"right\"\n") + kOld);
+  Put("stick/box.toml", "[stick.left]\ndead_zone = 7\n");
+  plugged_ = true;
+  EXPECT_THAT(Choose("settings box"), HasSubstr("box.toml:2:13: stick.left.dead_zone"));
+}
+
+TEST_F(SettingsTest, OfAStickNameABoxThatHasNoName) {
+  Put("stick/box.toml", std::string("name = \"left\"\n") + kNew);
+  plugged_ = true;
+  EXPECT_THAT(Choose("settings box"), HasSubstr("new     name  \"left\""));
+  Choose("yes, change them");
+  EXPECT_EQ(Text(kFile), std::string("name = \"left\"\n") + kNew);
+}
+
+// Whoever writes a name on the desk's page means this box.
+TEST_F(SettingsTest, OfTheDeskMayGiveABoxAnotherName) {
+  Put("settings/box.toml", std::string("name = \"right\"\n") + kOld);
+  EXPECT_EQ(settings_.BeginText("desk", std::string("name = \"left\"\n") + kOld).message,
+            Message::kAskChange);
+  EXPECT_THAT(settings_.Differences(), ElementsAre("changed name  \"right\" -> \"left\""));
+}
+
 TEST_F(SettingsTest, ThatTheBoxHasAlreadyAreSaidToBeThere) {
   Put("stick/box.toml", std::string("# another comment\n") + kOld);
   plugged_ = true;

@@ -39,5 +39,18 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
   EXPECT_EQ(facts.screens.size(), 1U);
 }
 
+// Two boxes that were set up from one stick may have one name.
+TEST(StatusFacts, NameABoxByItsNumberToo) {
+  const board::BoardFile place;
+  const auto name_of = [&](const char* name) {
+    std::ofstream(place.folder() / "name") << name << "\n";
+    return ReadFacts({place.folder(), place.folder() / "screens"}).name;
+  };
+  EXPECT_EQ(name_of("left-lobby"), "left-lobby") << "a box that keeps nothing has no number";
+  std::ofstream(place.folder() / "machine-id") << "1a2b3c4d5e6f00112233445566778899\n";
+  EXPECT_EQ(name_of("left-lobby"), "left-lobby (1a2b3c4d)");
+  EXPECT_EQ(name_of("kaori-1a2b3c4d"), "kaori-1a2b3c4d") << "it has been told already";
+}
+
 }  // namespace
 }  // namespace kaori::status

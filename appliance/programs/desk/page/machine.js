@@ -64,9 +64,17 @@ async function bringFile() {
   show();
 }
 
+// Several boxes may have a page open on one computer.
+function showName() {
+  const name = last?.box ?? '';
+  $('name').textContent = name;
+  document.title = name ? `カ・オ・リ ${name}` : 'カ・オ・リ';
+}
+
 function show() {
   $('machine-said').textContent = bringing || (last ? last.said[language()] : text('machineGone'));
   $('machine-said').classList.toggle('bad', !last || last.said.refused);
+  showName();
   showList();
   showNotes();
   showSettings();
