@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "drivers/base/utf8.h"
+
 namespace kaori::image {
 namespace {
 
 // Two spaces part what belongs together from the next, as in lists of keys.
 constexpr std::string_view kWide = "  ";
-constexpr std::string_view kNarrow = " ";
 constexpr auto kNone = std::string_view::npos;
 
 std::string_view Trimmed(std::string_view text) {
@@ -16,24 +17,57 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-// Where the longest beginning that fits ends, at a gap; npos where none does.
-std::size_t LastGap(std::string_view text, std::string_view gap, const Fits& fits) {
-  std::size_t last = kNone;
-  for (std::size_t at = text.find(gap); at != kNone; at = text.find(gap, text.find_first_not_of(' ', at))) {
-    if (!fits(text.substr(0, at))) break;
-    last = at;
-  }
-  return last;
+// What no line begins with (JIS X 4051, the customary part of it): what closes or ends, what lengthens or repeats
+// the letter before, and small kana.
+constexpr std::u32string_view kNeverFirst =
+    U"、。，．・：；？！゛゜ヽヾゝゞ々ー）〕］｝〉》」』】〟…‥%％℃｡｣､･ｰﾞﾟ"
+    U"ぁぃぅぇぉっゃゅょゎァィゥェォッャュョヮヵヶｧｨｩｪｫｬｭｮｯ,.:;?!)]}\u3000";
+// What no line ends with: what opens.
+constexpr std::u32string_view kNeverLast = U"（〔［｛〈《「『【〝｢([{";
+
+// Japanese is written without spaces; the narrow kana of old file names too.
+bool IsWithoutSpaces(char32_t code) {
+  return utf8::IsWide(code) || (code >= U'\uFF61' && code <= U'\uFF9F');
 }
 
-// Where the next line ends: at a wide gap if one fits, else at a narrow one, else behind the first word,
-// however long it is.
+bool MayPart(char32_t before, char32_t after) {
+  return before != U' ' && after != U' ' && (IsWithoutSpaces(before) || IsWithoutSpaces(after)) &&
+         kNeverFirst.find(after) == std::u32string_view::npos &&
+         kNeverLast.find(before) == std::u32string_view::npos;
+}
+
+// Where a line may end, in bytes, in order: before each wide gap.
+std::vector<std::size_t> WideGaps(std::string_view text) {
+  std::vector<std::size_t> ends;
+  for (std::size_t at = text.find(kWide); at != kNone; at = text.find(kWide, text.find_first_not_of(' ', at)))
+    ends.push_back(at);
+  return ends;
+}
+
+// The same: before each gap, and between letters that may be parted.
+std::vector<std::size_t> AnyGaps(std::string_view text) {
+  std::vector<std::size_t> ends;
+  char32_t before = U' ';
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [code, bytes] = utf8::FirstLetter(text.substr(at));
+    if ((code == U' ' && before != U' ') || MayPart(before, code)) ends.push_back(at);
+    before = code;
+    at += bytes;
+  }
+  return ends;
+}
+
+// Where the next line ends: at the last wide gap that fits, else at the last place of any kind, else at the first
+// one, however long the line is then.
 std::size_t BreakAt(std::string_view text, const Fits& fits) {
   if (fits(text)) return text.size();
-  for (const std::string_view gap : {kWide, kNarrow}) {
-    if (const auto at = LastGap(text, gap, fits); at != kNone) return at;
+  const auto any = AnyGaps(text);
+  for (const auto& ends : {WideGaps(text), any}) {
+    const auto too_long =
+        std::ranges::partition_point(ends, [&](std::size_t end) { return fits(text.substr(0, end)); });
+    if (too_long != ends.begin()) return *(too_long - 1);
   }
-  return std::min(text.find(' '), text.size());
+  return any.empty() ? text.size() : any.front();
 }
 
 }  // namespace

@@ -2,13 +2,17 @@
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include FT_GZIP_H
+#include FT_SYSTEM_H
 
 #include <algorithm>
+#include <cstdlib>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "drivers/base/utf8.h"
 #include "render/image/font.h"
-#include "render/image/utf8.h"
 
 namespace kaori::image {
 namespace {
@@ -18,35 +22,29 @@ constexpr int kUnit = 64;
 
 constexpr const char* kEllipsis = "\u2026";
 
-// C0, DEL and C1.
-bool IsControl(char32_t code) {
-  return code < 0x20 || (code >= 0x7F && code < 0xA0);
+// A gzip file's content, whose length stands in its last four bytes (RFC 1952); empty where it cannot be unpacked.
+std::vector<FT_Byte> Unpacked(std::span<const std::byte> file) {
+  FT_MemoryRec_ memory{nullptr,
+                       [](FT_Memory, long bytes) { return std::malloc(static_cast<std::size_t>(bytes)); },
+                       [](FT_Memory, void* block) { std::free(block); },
+                       [](FT_Memory, long, long bytes, void* block) {
+                         return std::realloc(block, static_cast<std::size_t>(bytes));
+                       }};
+  FT_ULong bytes = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes = bytes << 8U | std::to_integer<FT_ULong>(file[file.size() - 1 - i]);
+  std::vector<FT_Byte> content(bytes);
+  const auto* packed = reinterpret_cast<const FT_Byte*>(file.data());
+  if (FT_Gzip_Uncompress(&memory, content.data(), &bytes, packed, static_cast<FT_ULong>(file.size())) != 0)
+    return {};
+  return content;
 }
 
-// The glyph of a letter; 0, the font's box, where it has no such letter. Control characters are spaces.
-FT_UInt GlyphOf(FT_Face face, char32_t code) {
-  return FT_Get_Char_Index(face, IsControl(code) ? U' ' : code);
-}
-
-// Calls `each(glyph, x)` with x in 64ths of a pixel from the line's left end; returns where the line ends.
-template <class Each>
-// Left to right, with the font's kerning; scripts that join their letters are not shaped.
-FT_Pos Walk(FT_Face face, std::string_view text, const Each& each) {
-  FT_Pos x = 0;
-  FT_UInt before = 0;
-  while (!text.empty()) {
-    const Letter letter = FirstLetter(text);
-    text.remove_prefix(letter.bytes);
-    const FT_UInt glyph = GlyphOf(face, letter.code);
-    FT_Vector kern{};
-    if (before != 0) FT_Get_Kerning(face, before, glyph, FT_KERNING_DEFAULT, &kern);
-    before = glyph;
-    x += kern.x;
-    if (FT_Load_Glyph(face, glyph, FT_LOAD_TARGET_LIGHT) != 0) continue;
-    each(x);
-    x += face->glyph->advance.x;
-  }
-  return x;
+// Unpacked once, by whoever draws first, in some milliseconds; the font's bytes live as long as the program, as
+// FreeType demands.
+std::span<const FT_Byte> JapaneseFont() {
+  static const std::vector<FT_Byte> font = Unpacked(PackedJapaneseFont());
+  return font;
 }
 
 // Of codes, not of light: as people expect text on a screen.
@@ -93,50 +91,93 @@ void Lettering::EndFace::operator()(FT_FaceRec_* face) const {
   FT_Done_Face(face);
 }
 
-// The face borrows the library and the font's bytes.
+// The faces borrow the library and the fonts' bytes.
 Result<Lettering> Lettering::Open() {
   Lettering made;
   FT_Library library = nullptr;
   if (FT_Init_FreeType(&library) != 0) return Fail(std::errc::not_enough_memory, "begin FreeType");
   made.library_.reset(library);
-  const auto font = FontBytes();
-  const auto* bytes = reinterpret_cast<const FT_Byte*>(font.data());
-  FT_Face face = nullptr;
-  // The font's bytes live as long as the program, as FreeType demands.
-  if (FT_New_Memory_Face(library, bytes, static_cast<FT_Long>(font.size()), 0, &face) != 0)
-    return Fail(std::errc::not_enough_memory, "open the font");
-  made.face_.reset(face);
+  const auto first = FontBytes();
+  const std::array fonts{std::span(reinterpret_cast<const FT_Byte*>(first.data()), first.size()),
+                         JapaneseFont()};
+  for (std::size_t i = 0; i < fonts.size(); ++i) {
+    FT_Face face = nullptr;
+    if (FT_New_Memory_Face(library, fonts[i].data(), static_cast<FT_Long>(fonts[i].size()), 0, &face) != 0)
+      return Fail(std::errc::not_enough_memory, "open the font");
+    made.faces_[i].reset(face);
+  }
   return made;
+}
+
+// Index 0 is a font's box, which the first font draws for what both lack.
+Lettering::Glyph Lettering::Find(char32_t code) const {
+  const FT_ULong wanted = utf8::IsControl(code) ? U' ' : code;
+  for (const auto& face : faces_)
+    if (const FT_UInt index = FT_Get_Char_Index(face.get(), wanted); index != 0) return {face.get(), index};
+  return {faces_.front().get(), 0};
+}
+
+// Left to right, with kerning between letters of one font; scripts that join their letters are not shaped. Both
+// fonts stand on one baseline in one size: the middle of a kanji comes to 0.38 of it above the baseline, that of
+// DejaVu's capitals to 0.365.
+template <class Each>
+FT_Pos Lettering::Walk(std::string_view text, const Each& each) const {
+  FT_Pos x = 0;
+  Glyph before;
+  while (!text.empty()) {
+    const utf8::Letter letter = utf8::FirstLetter(text);
+    text.remove_prefix(letter.bytes);
+    const Glyph glyph = Find(letter.code);
+    FT_Vector kern{};
+    if (before.index != 0 && before.face == glyph.face)
+      FT_Get_Kerning(glyph.face, before.index, glyph.index, FT_KERNING_DEFAULT, &kern);
+    before = glyph;
+    x += kern.x;
+    if (FT_Load_Glyph(glyph.face, glyph.index, FT_LOAD_TARGET_LIGHT) != 0) continue;
+    each(glyph.face, x);
+    x += glyph.face->glyph->advance.x;
+  }
+  return x;
 }
 
 void Lettering::SetSize(int size_px) {
   // FreeType would refuse sizes beyond, and leave the one that was set.
   size_px = std::clamp(size_px, 1, kMostTextSize_px);
   if (size_px == size_px_) return;
-  FT_Set_Pixel_Sizes(face_.get(), 0, static_cast<FT_UInt>(size_px));
+  for (const auto& face : faces_) FT_Set_Pixel_Sizes(face.get(), 0, static_cast<FT_UInt>(size_px));
   size_px_ = size_px;
 }
 
 int Lettering::width_px(std::string_view text, int size_px) {
   SetSize(size_px);
-  return Ceil(Walk(face_.get(), text, [](FT_Pos) {}));
+  return Ceil(Walk(text, [](FT_Face, FT_Pos) {}));
 }
 
 int Lettering::height_px(int size_px) {
   SetSize(size_px);
-  return Ceil(face_->size->metrics.ascender) + Descent_px(face_.get());
+  return Ceil(faces_.front()->size->metrics.ascender) + Descent_px(faces_.front().get());
 }
 
 // The baseline lies the descent above the box's lower edge.
 void Lettering::Draw(std::string_view text, const TextStyle& style, int x_px, int y_px, Picture& into) {
   SetSize(style.size_px);
-  const int baseline = y_px + Descent_px(face_.get());
-  const FT_GlyphSlot slot = face_->glyph;
-  Walk(face_.get(), text, [&](FT_Pos x) {
+  const int baseline = y_px + Descent_px(faces_.front().get());
+  Walk(text, [&](FT_Face face, FT_Pos x) {
+    const FT_GlyphSlot slot = face->glyph;
     if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0) return;
     const int left = x_px + static_cast<int>(x / kUnit) + slot->bitmap_left;
     Stamp(slot->bitmap, style, left, baseline + slot->bitmap_top - 1, into);
   });
+}
+
+int GuessWidth_px(std::string_view text, int size_px, int narrow) {
+  int hundredths = 0;
+  while (!text.empty()) {
+    const utf8::Letter letter = utf8::FirstLetter(text);
+    text.remove_prefix(letter.bytes);
+    hundredths += utf8::IsWide(letter.code) ? 100 : narrow;
+  }
+  return hundredths * size_px / 100;
 }
 
 // Beginnings grow by whole letters, never by half of one; the longest that fits with its ellipsis is found by
@@ -144,7 +185,8 @@ void Lettering::Draw(std::string_view text, const TextStyle& style, int x_px, in
 std::string Shorten(Lettering& lettering, std::string_view text, int size_px, int width_px) {
   if (lettering.width_px(text, size_px) <= width_px) return std::string(text);
   std::vector<std::size_t> ends{0};  // Of beginnings, each a letter longer.
-  while (ends.back() < text.size()) ends.push_back(ends.back() + FirstLetter(text.substr(ends.back())).bytes);
+  while (ends.back() < text.size())
+    ends.push_back(ends.back() + utf8::FirstLetter(text.substr(ends.back())).bytes);
   const auto cut = [&](std::size_t end) { return std::string(text.substr(0, end)) + kEllipsis; };
   const auto first_too_long = std::partition_point(ends.begin(), ends.end(), [&](std::size_t end) {
     return lettering.width_px(cut(end), size_px) <= width_px;

@@ -27,12 +27,13 @@ struct TextStyle {
 // Larger letters would be bitmaps of megabytes each.
 inline constexpr int kMostTextSize_px = 400;
 
-// DejaVu Sans. One thread at a time; every function may allocate, so captions are drawn when they change, not
-// in each frame. Text is UTF-8; what is no UTF-8 is drawn as U+FFFD, a letter that the font lacks as its box,
-// and control characters as spaces.
+// DejaVu Sans, and for letters that it lacks Motoya L Cedar, which has the Japanese ones. One thread at a time;
+// every function may allocate, so captions are drawn when they change, not in each frame. Text is UTF-8; what is
+// no UTF-8 is drawn as U+FFFD, a letter that both fonts lack as the first one's box, and control characters as
+// spaces.
 class Lettering {
  public:
-  // Errors: not_enough_memory.
+  // The first call of a process unpacks the Japanese font, which takes some milliseconds. Errors: not_enough_memory.
   static Result<Lettering> Open();
 
   Lettering(Lettering&&) noexcept = default;
@@ -61,14 +62,29 @@ class Lettering {
 
   Lettering() = default;
 
-  // Sets the font's size in pixels where it is another.
+  // Sets the fonts' size in pixels where it is another.
   void SetSize(int size_px);
+  // The font that has the letter, and its glyph there; that of a space for a control character.
+  struct Glyph {
+    FT_FaceRec_* face = nullptr;
+    unsigned index = 0;
+  };
+  Glyph Find(char32_t code) const;
+  // Calls `each(face, x)` with the letter loaded in its font, x in 64ths of a pixel from the line's left end; returns
+  // where the line ends.
+  template <class Each>
+  long Walk(std::string_view text, const Each& each) const;
 
-  // Outlives the face.
+  // Outlives the faces.
   std::unique_ptr<FT_LibraryRec_, EndLibrary> library_;
-  std::unique_ptr<FT_FaceRec_, EndFace> face_;
+  // In the order in which a letter is looked for; the first one gives lines their height.
+  std::array<std::unique_ptr<FT_FaceRec_, EndFace>, 2> faces_;
   int size_px_ = 0;
 };
+
+// About how wide a line is, without asking the fonts, for callers who may take no time: a wide letter
+// (utf8::IsWide) has the width of its size, and each other one `narrow` hundredths of that. Pure.
+int GuessWidth_px(std::string_view text, int size_px, int narrow);
 
 // The beginning of `text` that fits into `width_px`, with "…" where something was cut; empty where not even
 // that fits.

@@ -11,9 +11,10 @@ readonly MESA_LIBRARIES=(libexpat1-dev libglvnd-dev)
 readonly SYSROOT=out/cross/arm64/sysroot
 readonly CROSS_RELEASE=bookworm
 
-# The build packages that a compiler for another processor reads, and what their programs need to run.
+# The build packages that a compiler for another processor reads, and what their programs need to run. Programs that the build
+# runs (-bin) are this machine's.
 sysroot_packages() {
-  { printf '%s\n' libc6-dev libstdc++-12-dev "${BUILD_PACKAGES[@]}" "${MESA_LIBRARIES[@]}" | grep -E '^lib|-dev$'; printf '%s\n' "${GUEST_PACKAGES[@]}"; } | sort -u
+  { printf '%s\n' libc6-dev libstdc++-12-dev "${BUILD_PACKAGES[@]}" "${MESA_LIBRARIES[@]}" | grep -E '^lib|-dev$' | grep -v -- '-bin$'; printf '%s\n' "${GUEST_PACKAGES[@]}"; } | sort -u
 }
 
 # Runs a command whose words go to a log, and says every ten seconds that it still runs: wait_for WHAT LOG COMMAND...

@@ -7,7 +7,6 @@
 
 #include "render/image/break_line.h"
 #include "render/image/text.h"
-#include "render/image/utf8.h"
 
 namespace kaori::image {
 namespace {
@@ -130,22 +129,6 @@ TEST_F(Text, ShortensWhatDoesNotFit) {
     EXPECT_TRUE(part.empty() || part.ends_with("\u2026")) << part;
   }
   EXPECT_TRUE(Shorten(lettering(), name, 20, whole - 1).starts_with("embarrassed"));
-}
-
-TEST(Utf8, DecodesLettersOfOneToFourBytes) {
-  for (const auto& [text, code, bytes] :
-       {std::tuple{"A", U'A', 1U}, {"é", U'é', 2U}, {"香", U'香', 3U}, {"\U0001F600", U'\U0001F600', 4U}}) {
-    EXPECT_EQ(FirstLetter(text).code, code);
-    EXPECT_EQ(FirstLetter(text).bytes, bytes);
-  }
-}
-
-TEST(Utf8, RefusesWhatIsNoLetter) {
-  for (const char* text : {"\x80", "\xC3", "\xC3(", "\xC0\x80", "\xE0\x80\x80", "\xED\xA0\x80",
-                           "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "\xFF"}) {
-    EXPECT_EQ(FirstLetter(text).code, U'\uFFFD');
-    EXPECT_EQ(FirstLetter(text).bytes, 1U);
-  }
 }
 
 // The pieces of a line, of `most` letters each.

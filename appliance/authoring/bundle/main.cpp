@@ -15,7 +15,7 @@ constexpr std::string_view kHelp = R"(kaori-bundle: makes an update of a box
   --image FOLDER  as rootfs/image/build made it
   --key FILE      the secret key that signs; boxes trust the public ones that their image was built with
   --from N        the lowest version from which a box may come to this one (1)
-  --news TEXT     what is new, one line of ASCII
+  --news TEXT     what is new, one line; of Japanese 32 letters at most, of others 96
   --to FILE       what is made, as in kaori-12.kaoriupdate
 )";
 

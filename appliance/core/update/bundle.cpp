@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "drivers/base/utf8.h"
+
 namespace kaori::update {
 namespace {
 
@@ -39,14 +41,21 @@ void PutText(std::string_view text, std::span<std::uint8_t> into) {
   std::ranges::copy(text.substr(0, into.size()), into.begin());
 }
 
-// Up to the first zero; what no screen shows is "?", since the text is shown and logged.
+// Up to the first zero, as it can be shown and logged. No letter takes fewer bytes than columns, so that nothing is cut.
 std::string TextAt(Bytes bytes, std::size_t at, std::size_t length) {
-  std::string text;
-  for (const std::uint8_t byte : bytes.subspan(at, length)) {
-    if (byte == 0) break;
-    text += byte >= ' ' && byte <= '~' ? static_cast<char>(byte) : '?';
+  const Bytes field = bytes.subspan(at, length);
+  return utf8::Printable(std::string(field.begin(), std::ranges::find(field, 0)), length);
+}
+
+// The beginning of a text that has at most so many bytes and ends behind a letter.
+std::string_view WholeLetters(std::string_view text, std::size_t most_bytes) {
+  std::size_t end = 0;
+  while (end < text.size()) {
+    const std::size_t next = end + utf8::FirstLetter(text.substr(end)).bytes;
+    if (next > most_bytes) break;
+    end = next;
   }
-  return text;
+  return text.substr(0, end);
 }
 
 // Each length is bounded before it is added to others, so that a forged one cannot overflow.
@@ -112,7 +121,7 @@ Header MakeHeader(const Manifest& manifest, const show::SecretKey& signer) {
     PutNumber(manifest.parts[n].bytes, part.subspan(8, 8));
     std::ranges::copy(manifest.parts[n].checksum, part.subspan(24).begin());
   }
-  PutText(manifest.news, at.subspan(kNewsAt, kLongestNews));
+  PutText(WholeLetters(manifest.news, kLongestNews), at.subspan(kNewsAt, kLongestNews));
   std::ranges::copy(signer.public_key().bytes, at.subspan(kSignerAt).begin());
   crypto_sign_detached(header.data() + kSignatureAt, nullptr, header.data(), kSignatureAt,
                        signer.bytes().data());

@@ -71,7 +71,7 @@ struct Manifest {
   std::uint64_t PackedAt(Part which) const;
 };
 
-// Signs the header of a manifest; its signer is the key's. What is new is cut to kLongestNews.
+// Signs the header of a manifest; its signer is the key's. What is new is cut to kLongestNews, behind a letter.
 Header MakeHeader(const Manifest& manifest, const show::SecretKey& signer);
 
 // Reads a header of a file of `file_bytes`. `bytes` may be shorter than a header, and anything. Errors, whose

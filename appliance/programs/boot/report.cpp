@@ -35,9 +35,11 @@ std::string RecordOf(const Fault& fault) {
   return "<4>kaori-boot: " + fault.line + (japanese.empty() ? "" : " / ") + std::string(japanese) + "\n";
 }
 
-// One write is one record of /dev/kmsg.
+// One write is one record of /dev/kmsg. Two faults of one trouble have the same Japanese words, which are kept once.
 void Report(const std::string& line, Trouble trouble) {
   g_reported += line + "\n";
+  const std::string below = std::string(InJapanese(trouble)) + "\n";
+  if (below.size() > 1 && g_reported.find("\n" + below) == std::string::npos) g_reported += below;
   const std::string record = RecordOf({line, trouble});
   const UniqueFd log(::open("/dev/kmsg", O_WRONLY | O_CLOEXEC));
   [[maybe_unused]] const auto written = ::write(log.get(), record.data(), record.size());

@@ -1,5 +1,4 @@
-// What the first program finds wrong: a line in the kernel's log, in English and Japanese, and the English one for the box's status,
-// whose letters have no Japanese.
+// What the first program finds wrong: a line in the kernel's log, in English and Japanese, and both for the box's status.
 #pragma once
 
 #include <array>
@@ -42,7 +41,7 @@ std::string RecordOf(const Fault& fault);
 // Writes it there, from where the journal reads it: there is no journal yet. Nothing of it comes to the show's screens.
 void Report(const std::string& line, Trouble trouble = Trouble::kOther);
 
-// All English lines so far, each with a line end.
+// All lines so far, each with a line end: the English one, and below it the Japanese one where it was not said before.
 const std::string& Reported();
 
 }  // namespace kaori::boot

@@ -17,8 +17,8 @@ constexpr const char* kSystemctl = "/bin/systemctl";
 // e2fsck(8): 1 errors were mended, 2 the same and the system should start anew; 4 errors are left, 8 it finds
 // no file system that it could mend. Any other status, or a signal, says nothing of the file system.
 constexpr int kMostMended = 3, kErrorsLeft = 4, kNoFileSystem = 8;
-// How kaori-boot begins each line about the partition.
-constexpr std::string_view kOfPartition = "the data partition ";
+// How kaori-boot begins each line about the partition, in English and Japanese.
+constexpr std::string_view kOfPartition = "the data partition ", kJapaneseOfPartition = "データの領域";
 
 tl::unexpected<Error> FailedWith(int status, const Partition& partition, const std::string& program) {
   return Fail(std::errc::io_error, fmt::format("{} {}: status {}", program, partition.device, status));
@@ -80,10 +80,14 @@ std::string FaultsAfter(const std::string& faults, Mended mended) {
   std::string after;
   std::istringstream lines(faults);
   for (std::string line; std::getline(lines, line);)
-    if (!line.starts_with(kOfPartition)) after += line + "\n";
-  return after + std::string(kOfPartition) +
-         (mended == Mended::kWhole ? "was damaged and is mended: what is kept is there again\n"
-                                   : "was beyond mending and is made anew: what was kept is lost\n");
+    if (!line.starts_with(kOfPartition) && !line.starts_with(kJapaneseOfPartition)) after += line + "\n";
+  const bool is_whole = mended == Mended::kWhole;
+  return fmt::format(
+      "{}{}{}\n{}{}\n", after, kOfPartition,
+      is_whole ? "was damaged and is mended: what is kept is there again"
+               : "was beyond mending and is made anew: what was kept is lost",
+      kJapaneseOfPartition,
+      is_whole ? "を修復しました。内容は残っています" : "を作り直しました。前の内容は失われました");
 }
 
 }  // namespace kaori::data

@@ -5,7 +5,7 @@
 
 #include "appliance/programs/monitor/palette.h"
 #include "render/image/break_line.h"
-#include "render/image/utf8.h"
+#include "render/image/text.h"
 
 namespace kaori::monitor {
 namespace {
@@ -16,9 +16,7 @@ constexpr int kLetterWidth = 60;
 }  // namespace
 
 int Pen::WidthOf(std::string_view text, int size_px) const {
-  int letters = 0;
-  for (; !text.empty(); ++letters) text.remove_prefix(image::FirstLetter(text).bytes);
-  return letters * size_px * kLetterWidth / 100;
+  return image::GuessWidth_px(text, size_px, kLetterWidth);
 }
 
 void AddLines(const Lines& lines, const Pen& pen, Box box, Cell& cell) {

@@ -33,9 +33,16 @@ struct Settings {
   std::string board = "/run/kaori/board", notice = "/run/kaori-notices/power", start;
 };
 
-constexpr const char* kIgnored =
-    "the power button was pressed: turn the service key on and press it again to stop the box\n";
-constexpr const char* kStops = "the power button was pressed with the service key on: the box stops\n";
+// What a press did, in English and Japanese.
+struct Notice {
+  const char* english;
+  const char* japanese;
+};
+constexpr Notice kIgnored{
+    "the power button was pressed: turn the service key on and press it again to stop the box",
+    "電源ボタンが押されました。止めるには、サービスキーを入れてもう一度押してください"};
+constexpr Notice kStops{"the power button was pressed with the service key on: the box stops",
+                        "サービスキーが入った状態で電源ボタンが押されました。箱を止めます"};
 constexpr unsigned kReadOnly = 0444;
 // How long the notice stands: longer than somebody looks for it.
 constexpr auto kNoticeStands = std::chrono::minutes(1);
@@ -53,8 +60,9 @@ void ForgetNotice(const std::string& file) {
 // stops, so that the status picture says why.
 void HandlePress(const Settings& settings) {
   const bool stops = kaori::board::IsServiceKeyOnAt(settings.board);
-  const std::string_view notice = stops ? kStops : kIgnored;
-  kaori::LogWarning("{}", notice.substr(0, notice.size() - 1));
+  const auto& [english, japanese] = stops ? kStops : kIgnored;
+  kaori::LogWarning("{} / {}", english, japanese);
+  const std::string notice = std::string(english) + "\n" + japanese + "\n";
   if (auto told = kaori::WriteWholeFile(settings.notice, {kaori::AsBytes(notice)}, kReadOnly); !told)
     kaori::LogWarning("{}", told.error().message());
   if (!stops) return;

@@ -12,6 +12,7 @@
 #include "appliance/programs/status/screens_file.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
+#include "drivers/base/utf8.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
@@ -157,7 +158,7 @@ std::vector<std::string> BoxSettings::Differences() const {
   auto lines = SettingsDifferences(Now(), *wanted_);
   const std::size_t all = lines.size();
   lines.resize(std::min(all, kMostSettingLines));
-  for (std::string& line : lines) line = Printable(std::move(line), kLongestSettingLine);
+  for (std::string& line : lines) line = utf8::Printable(line, kLongestSettingLine);
   if (all > lines.size()) lines.push_back("and " + std::to_string(all - lines.size()) + " more");
   return lines;
 }

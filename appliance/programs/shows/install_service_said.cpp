@@ -6,6 +6,7 @@
 #include "appliance/core/store/said.h"
 #include "appliance/programs/shows/install_service.h"
 #include "drivers/base/log.h"
+#include "drivers/base/utf8.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
@@ -45,7 +46,7 @@ void InstallService::FollowUpdate() {
   auto answer = update_->Read();
   if (!answer && answer.error().cause == std::errc::resource_unavailable_try_again) return;
   if (!answer) answer = update::Answer{update::Message::kDiskFault, 0, 0, answer.error().message()};
-  answer->detail = Printable(answer->detail, kLongestReason);
+  answer->detail = utf8::Printable(answer->detail, kLongestReason);
   if (answer->is_last()) {
     update_.reset();
     ListAnew();
@@ -55,7 +56,7 @@ void InstallService::FollowUpdate() {
 }
 
 void InstallService::Tell(Message message, const std::string& name, const std::string& reason) {
-  const std::string detail = Printable(reason, kLongestReason);
+  const std::string detail = utf8::Printable(reason, kLongestReason);
   const bool is_said = said_ && said_->message == message && said_->name == name && said_->detail == detail;
   said_ = Said{message, name, detail};
   Show();
@@ -99,15 +100,14 @@ bool InstallService::SaidIsRefusal() const {
   return said_->of_update ? update::IsRefusal(said_->of_update->message) : IsRefusal(said_->message);
 }
 
-// Both languages, one below the other; the screen shows those lines that its font has letters for.
+// Both languages, one below the other, and the list below them.
 void InstallService::Show() {
   const auto& [message, name, detail, of_stick, of_update] = *said_;
   const std::string mark(SaidIsRefusal() ? store::kRefusalMark : std::string_view());
   std::vector<std::string> lines = menu_.Lines(message, Language::kEnglish, name, detail, is_open_);
-  lines.front() = Sentence(Language::kEnglish);
-  std::string text = mark;
+  lines.front() = mark + Sentence(Language::kEnglish) + "\n" + mark + Sentence(Language::kJapanese);
+  std::string text;
   for (const std::string& line : lines) text += line + "\n";
-  text += mark + Sentence(Language::kJapanese) + "\n";
   if (!is_open_ && !menu_.empty() && message != Message::kShut)
     text += "  " + std::string(Words(Message::kShut, Language::kJapanese)) + "\n";
   if (text == shown_) return;

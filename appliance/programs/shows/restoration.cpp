@@ -12,9 +12,9 @@
 #include "appliance/core/restore/kept.h"
 #include "appliance/programs/shows/restore_disk.h"
 #include "appliance/programs/shows/settings_line.h"
-#include "appliance/programs/shows/stick.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
+#include "drivers/base/utf8.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
@@ -262,7 +262,7 @@ std::vector<std::string> Restoration::Differences() const {
     lines.push_back("show " + ShortId(reader_->contents().show) + " anew");
   const auto add = [&](const char* word, const std::vector<std::string>& paths) {
     for (const std::string& path : paths)
-      lines.push_back(fmt::format("{:8}{}{}", word, Printable(path, 60), FingerprintOf(path)));
+      lines.push_back(fmt::format("{:8}{}{}", word, utf8::Printable(path, 60), FingerprintOf(path)));
   };
   add("changed", changed_);
   add("gone", plan_.removed);

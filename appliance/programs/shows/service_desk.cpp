@@ -6,6 +6,7 @@
 #include "appliance/programs/shows/install_service.h"
 #include "drivers/base/json.h"
 #include "drivers/base/log.h"
+#include "drivers/base/utf8.h"
 
 namespace kaori::shows {
 namespace {
@@ -47,7 +48,7 @@ void InstallService::CopyForDesk(Request request) {
   const bool restores = request.kind == Request::Kind::kRestore;
   ListAnew();
   Log("the desk {}", restores ? "brings a backup" : "wants a backup");
-  const Progress progress = restores ? copies.BeginRestore(Printable(request.text, kLongestBrought),
+  const Progress progress = restores ? copies.BeginRestore(utf8::Printable(request.text, kLongestBrought),
                                                            std::move(request.file), Keys())
                                      : copies.BeginForDesk();
   Tell(progress.message, copies.name(), progress.detail);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <string_view>
 
+#include "drivers/base/utf8.h"
+
 namespace kaori::shows {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A longer name is cut, so that a line of the list holds it with its number and its remark.
+// Columns: a longer name is cut, so that a line of the list holds it with its number and its remark.
 constexpr std::size_t kLongestName = 40;
 constexpr std::size_t kMostLookedAt =
     4096;  // Entries of the folder; a damaged one may seem to have any number.
@@ -35,8 +37,9 @@ Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extensio
     if (!EndsIn(file, extension) || file.filename().string().starts_with('.')) continue;
     if (!fs::is_regular_file(it->symlink_status(odd))) continue;
     const std::uint64_t bytes = it->file_size(odd);
-    offers.push_back(
-        {.file = file, .name = Printable(file.stem().string(), kLongestName), .bytes = odd ? 0 : bytes});
+    offers.push_back({.file = file,
+                      .name = utf8::Printable(file.stem().string(), kLongestName),
+                      .bytes = odd ? 0 : bytes});
   }
   if (error) return Fail(static_cast<std::errc>(error.value()), "read the stick " + stick.string());
   // The order of a folder on FAT is that of writing, which means nothing to whoever chooses.
@@ -45,15 +48,6 @@ Result<std::vector<Offer>> List(const fs::path& stick, std::string_view extensio
 }
 
 }  // namespace
-
-// ASCII alone: another letter may be cut in its middle.
-std::string Printable(std::string text, std::size_t most) {
-  for (char& c : text)
-    if (c < ' ' || c > '~') c = '?';
-  constexpr std::string_view kCut = "...";
-  if (text.size() > most) text = text.substr(0, most - kCut.size()).append(kCut);
-  return text;
-}
 
 Result<std::vector<Offer>> ListShows(const fs::path& stick) {
   return List(stick, ".kaori");

@@ -15,7 +15,7 @@ namespace kaori::shows {
 // A show that can be chosen.
 struct Offer {
   std::filesystem::path file;
-  // As it is shown: the file's name without its end; letters that no screen shows are "?".
+  // As it is shown: the file's name without its end, by utf8::Printable.
   std::string name;
   std::uint64_t bytes = 0;
   friend bool operator==(const Offer&, const Offer&) = default;
@@ -23,10 +23,6 @@ struct Offer {
 
 // So many lines of the list have a key: 1 to 9, and 0 for the tenth. What the box itself offers takes six of them at most.
 inline constexpr std::size_t kMostChoices = 10;
-
-// As it can be shown and logged: what is no printable ASCII is "?", and what is longer than `most` ends in
-// "...". Names and reasons from a stick may hold line ends, which would forge lines of the log. Pure.
-std::string Printable(std::string text, std::size_t most);
 
 // The files *.kaori at the top of the folder, whatever letters of the end are capitals, in the order of their
 // names. Folders, links and files that begin with a dot are left out. Blocks for the stick. Errors: those of

@@ -13,11 +13,11 @@
 #include "appliance/core/store/play_log.h"
 #include "appliance/programs/shows/choice_files.h"
 #include "appliance/programs/shows/settings_text.h"
-#include "appliance/programs/shows/stick.h"
 #include "appliance/programs/status/lines.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/run_program.h"
+#include "drivers/base/utf8.h"
 
 namespace kaori::shows {
 namespace {
@@ -117,8 +117,8 @@ std::string UsbDevices(const fs::path& usb) {
     text += fmt::format("{:12} {}:{} {} {} {}\n", device.filename().string(), LineOf(device / "idVendor"),
                         LineOf(device / "idProduct"),
                         LineOf(device / "authorized") == "0" ? "unauthorised" : "authorised  ",
-                        Printable(LineOf(device / "manufacturer"), kLongestDeviceName),
-                        Printable(LineOf(device / "product"), kLongestDeviceName));
+                        utf8::Printable(LineOf(device / "manufacturer"), kLongestDeviceName),
+                        utf8::Printable(LineOf(device / "product"), kLongestDeviceName));
   }
   return text;
 }

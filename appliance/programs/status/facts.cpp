@@ -1,6 +1,7 @@
 #include "appliance/programs/status/facts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 
@@ -29,11 +30,6 @@ std::string WordOf(const std::filesystem::path& path) {
   return lines.empty() ? std::string() : lines.front();
 }
 
-// The font is DejaVu Sans, which has no Japanese: those lines are in the log.
-bool IsAscii(char letter) {
-  return static_cast<unsigned char>(letter) < 0x80U;
-}
-
 }  // namespace
 
 // All files are small and lie in memory (/run), so that reading them anew each second costs next to nothing.
@@ -49,11 +45,8 @@ Facts ReadFacts(const Places& places) {
               LinesOf(places.notices / "power"),
               LinesOf(places.shows)};
   facts.update = LinesOf(places.update);
-  auto spoilt = LinesOf(places.spoilt), reset = LinesOf(places.reset);
-  for (auto* lines : {&spoilt, &reset, &facts.shows, &facts.update})
-    std::erase_if(*lines, [](const std::string& line) { return !std::ranges::all_of(line, IsAscii); });
-  for (const auto* lines : {&spoilt, &reset})
-    facts.faults.insert(facts.faults.end(), lines->begin(), lines->end());
+  for (const auto& file : {places.spoilt, places.reset})
+    std::ranges::move(LinesOf(file), std::back_inserter(facts.faults));
   std::error_code none;
   for (const char* profile : kProfiles)
     if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;

@@ -33,14 +33,14 @@ struct Facts {
   std::string slot;       // "A" or "B", the disk's slot that was started; empty where that is not known.
   std::string screen;     // The screen of the status display, by name or number; empty: there is none.
   std::string monitor{};  // That of the operators' monitor.
-  // What kaori-boot could not do, one line each, in the order in which it happened.
+  // What kaori-boot could not do, one line each, in the order in which it happened; below a line what to do, in
+  // Japanese.
   std::vector<std::string> faults;
   // As the stage wrote them last; they stay there when the stage is gone.
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.
   // What whoever stands before the box is to know of what he has just done, one line each.
   std::vector<std::string> notices;
-  // Which shows a stick holds, and how bringing one in stands; those of its lines that the font has letters
-  // for.
+  // Which shows a stick holds, and how bringing one in stands, in English and Japanese.
   std::vector<std::string> shows{};
   // How an update of the box stands, as for `shows`.
   std::vector<std::string> update{};

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@ namespace kaori::data {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -179,12 +181,14 @@ TEST_F(DataPartition, FoldersHaveTheirModesAndOwners) {
 TEST(DataFaults, SayWhatBecameOfThePartition) {
   const std::string before =
       "box.toml:3: there is no profile \"stge\"\nthe data partition /dev/vda5 cannot be mounted: nothing is "
-      "kept\n";
-  for (const auto& [mended, said] :
-       {std::pair{Mended::kWhole, "is mended"}, std::pair{Mended::kMadeAnew, "is lost"}}) {
+      "kept\nデータの領域に問題があります\n";
+  for (const auto& [mended, said, japanese] :
+       {std::tuple{Mended::kWhole, "is mended", "データの領域を修復しました"},
+        std::tuple{Mended::kMadeAnew, "is lost", "前の内容は失われました"}}) {
     const std::string after = FaultsAfter(before, mended);
     EXPECT_THAT(after, HasSubstr("stge"));
-    EXPECT_THAT(after, HasSubstr(said));
+    EXPECT_THAT(after, AllOf(HasSubstr(said), HasSubstr(japanese)));
+    EXPECT_THAT(after, Not(HasSubstr("問題")));
     EXPECT_THAT(after, Not(HasSubstr("cannot be mounted")));
   }
 }

@@ -18,12 +18,15 @@ using ::testing::Not;
 class UpdateOnStick : public ServiceTest {
  protected:
   UpdateOnStick() {
-    update::Manifest manifest{.version = 12, .from = 1, .news = "it blinks"};
+    PutUpdate("it blinks");
+    plugged_ = true;
+  }
+  void PutUpdate(const std::string& news) {
+    update::Manifest manifest{.version = 12, .from = 1, .news = news};
     for (auto& part : manifest.parts) part = {.packed_bytes = 1, .bytes = 1};
     manifest.payload_bytes = manifest.parts.size();
     const auto header = update::MakeHeader(manifest, company_);
     EXPECT_TRUE(WriteWholeFile(folder_ / "stick/box.kaoriupdate", {header, AsBytes("four")}));
-    plugged_ = true;
   }
   // What was asked for, with the file beside it.
   std::string Asked() {
@@ -45,6 +48,18 @@ class UpdateOnStick : public ServiceTest {
 
 TEST_F(UpdateOnStick, IsListedWithItsVersionAndWhatIsNew) {
   EXPECT_THAT(Play(seconds(1)), HasSubstr("> 1  update box  version 12, it blinks"));
+}
+
+TEST_F(UpdateOnStick, SaysWhatIsNewInJapaneseAndEndsBehindALetter) {
+  PutUpdate("まばたきします");
+  EXPECT_THAT(Play(seconds(1)), HasSubstr("version 12, まばたきします\n"));
+  update::Manifest manifest{.version = 12, .from = 1, .news = "x"};
+  for (int i = 0; i < 40; ++i) manifest.news += "香";
+  for (auto& part : manifest.parts) part = {.packed_bytes = 1, .bytes = 1};
+  manifest.payload_bytes = manifest.parts.size();
+  const auto read = update::ReadHeader(update::MakeHeader(manifest, company_), update::kHeader_bytes + 4);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->news, manifest.news.substr(0, 1 + 31 * std::string_view("香").size()));
 }
 
 TEST_F(UpdateOnStick, ThatIsNoneIsListedAsSuch) {

@@ -33,9 +33,8 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
   EXPECT_EQ(facts.root_hash + facts.slot, "abcB");
   EXPECT_EQ(facts.screen, "HDMI-A-2");
   EXPECT_EQ(facts.monitor, "3");
-  EXPECT_EQ(facts.faults, (std::vector<std::string>{"one", "two", "its copy plays"}))
-      << "the font has no Japanese letters";
-  EXPECT_EQ(facts.update, (std::vector<std::string>{"it is tried"}));
+  EXPECT_EQ(facts.faults, (std::vector<std::string>{"one", "two", "its copy plays", "控えで上演中"}));
+  EXPECT_EQ(facts.update, (std::vector<std::string>{"it is tried", "試しています"}));
   EXPECT_EQ(facts.screens.size(), 1U);
 }
 
