@@ -1,7 +1,6 @@
 // The data partition: one that is ruined is brought back by the service key, and the journal of an evening is
 // kept over a power cut.
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -12,6 +11,7 @@
 
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/journal_usage.h"
 #include "hw-sim/hil/process.h"
 #include "hw-sim/hil/strategy.h"
 
@@ -195,16 +195,16 @@ Result<void> AwaitKeptJournal(Scene& scene) {
   return {};
 }
 
-// Of what journalctl(1) says: "Archived and active journals take up 8.0M in the file system."; 0 where it does not.
-double JournalIn_mb(const std::string& said) {
-  constexpr std::string_view kBefore = "take up ";
-  constexpr double kMebi = 1.048576;
-  const auto at = said.find(kBefore);
-  if (at == std::string::npos) return 0;
-  char* unit = nullptr;
-  const double size = std::strtod(said.c_str() + at + kBefore.size(), &unit);
-  if (*unit == 'G') return size * 1024 * kMebi;
-  return *unit == 'M' ? size * kMebi : *unit == 'K' ? size / 1024 * kMebi : 0;
+// The journal may take so much: SystemMaxUse= of the box's journald.conf, 16 MiB.
+constexpr double kMostJournal_mb = 16.78;
+
+// What the journal takes, with its bounds: one that takes nothing was not kept. Errors: invalid_argument, it takes too much, or
+// journalctl says something else than it is known to say.
+Result<double> WantBoundedJournal(const std::string& said) {
+  auto kept_mb = JournalIn_mb(said);
+  if (!kept_mb || (*kept_mb > 0 && *kept_mb <= kMostJournal_mb)) return kept_mb;
+  return FailInput(
+      fmt::format("the journal takes {:.1f} MB, and at most {} are wanted", *kept_mb, kMostJournal_mb));
 }
 
 // Two evenings with a power cut between them: the second knows what was said in the first, and that it is the
@@ -232,9 +232,9 @@ Result<void> KeepsTheJournal(Scene& scene) {
         fmt::format("the box has another number after a power cut: {} and {}", number[0], number[1]));
   scene.finding.said = "what the stage said before a power cut stands in the journal after it";
   scene.finding.texts.emplace_back("the room that the journal takes", usage[1]);
-  if (const double kept_mb = JournalIn_mb(usage[1]); kept_mb > 0)
-    scene.finding.figures["journal_kept_mb"] = kept_mb;
-  return {};
+  const auto kept_mb = WantBoundedJournal(usage[1]);
+  if (kept_mb) scene.finding.figures["journal_kept_mb"] = *kept_mb;
+  return kept_mb.map([](double) {});
 }
 
 // The control: in its first evening a box has none before it.

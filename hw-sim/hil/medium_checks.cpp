@@ -103,15 +103,15 @@ Result<void> NotBothAre(Scene& scene) {
 }
 
 // Starts from a card with what the disk holds, which is gone afterwards.
-Result<void> WantStageFrom(Scene& scene, const std::string& card, Duration longest) {
+Result<void> WantFaceFrom(Scene& scene, const std::string& card, Duration longest) {
   std::error_code failed;
   std::filesystem::resize_file(card, kSdCard_bytes, failed);
   if (failed) return Fail(std::errc::io_error, "lengthen " + card);
   Setup setup = kOnSd;
   setup.disk = card;
   auto ok = scene.SwitchOn(setup);
-  if (ok && !scene.target.UntilConsole({"Started ", "kaori-stage"}, longest))
-    ok = FailInput("the stage does not start from the SD card");
+  if (ok && !scene.AwaitMovingFace(0, longest)) ok = FailInput("no face that moves comes from the SD card");
+  if (ok) ok = scene.ShootFace("sd-medium", "a box on an SD card");
   scene.finding.texts.emplace_back("the box's log", scene.target.machine().console());
   scene.target.machine().Off();
   std::filesystem::remove(card, failed);
@@ -122,16 +122,15 @@ Result<void> PlaysFromSd(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "sd.disk", "data");
   if (!copy) return tl::unexpected(copy.error());
-  scene.finding.said = "the stage starts from an SD card, as from eMMC";
-  return WantStageFrom(scene, copy->file, kLongestMediumStart);
+  scene.finding.said = "the face comes from an SD card, as from eMMC, and moves";
+  return WantFaceFrom(scene, copy->file, kLongestMediumStart);
 }
 
 // The control: from an empty card nothing starts.
 Result<void> FromAnEmptyCardNothingStarts(Scene& scene) {
   const std::string card = scene.target.machine().options().folder + "/empty.card";
   std::ofstream(card).flush();
-  return WantFoundWrong(WantStageFrom(scene, card, seconds(60)),
-                        "the stage starts although the card is empty");
+  return WantFoundWrong(WantFaceFrom(scene, card, seconds(60)), "a face comes although the card is empty");
 }
 
 }  // namespace
@@ -143,7 +142,7 @@ std::vector<Check> MediumChecks() {
            .setup = kOnUsb,
            .control = NotBothAre},
           {.name = "sd-medium",
-           .sentence = "The box starts from an SD card",
+           .sentence = "The box starts from an SD card to its face",
            .run = PlaysFromSd,
            .setup = kOnSd,
            .control = FromAnEmptyCardNothingStarts,
