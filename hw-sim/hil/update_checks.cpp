@@ -8,6 +8,7 @@
 
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/noise_slot.h"
 #include "hw-sim/hil/update_history.h"
 #include "hw-sim/hil/updated_pc.h"
 
@@ -27,6 +28,18 @@ constexpr Duration kDiskLooks = seconds(10);    // Between two looks at what the
 constexpr int kUpdateCuts = 10;                 // For each unit of Scene::effort.
 constexpr int kUpdateKey = 2;                   // A line of the bridge, as docs/image.md wires it.
 constexpr std::uint8_t kFirst = 0x1E, kSecond = 0x1F, kPageUp = 0x4B;  // Keys, HID page 7.
+
+// A spoilt slot may take so long to show that it has no face, as in power_cycle_checks.cpp.
+constexpr Duration kNoFaceOfB = seconds(60);
+
+// The image's disk has the same system in both slots, and the stick has it once more: slot B is made one that cannot start, so that a
+// face of it is the face of what was written. Cuts before that leave slot A, which is as it was.
+Result<UpdatedPc> PcToUpdate(Scene& scene) {
+  auto pc = UpdatedPc::Make(scene);
+  if (!pc) return pc;
+  if (auto ok = MakeSlotBNoise(pc->Disk(), scene.chance); !ok) return tl::unexpected(ok.error());
+  return pc;
+}
 
 // Errors: timed_out, with what the disk holds.
 Result<void> AwaitKept(Scene& scene, const UpdatedPc& pc, const std::string& name,
@@ -171,7 +184,7 @@ Result<void> Update(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   if (!std::filesystem::exists(options.sticks + "/update.stick"))
     return scene.Skip("there is no stick with an update; --sticks names its folder");
-  auto pc = UpdatedPc::Make(scene);
+  auto pc = PcToUpdate(scene);
   if (!pc) return tl::unexpected(pc.error());
   auto history = UpdateHistory::Begin(scene, *pc);
   if (!history) return tl::unexpected(history.error());
@@ -188,12 +201,25 @@ Result<void> Update(Scene& scene) {
   return ok;
 }
 
+// Where no update was brought in slot B shows no face: otherwise one that wrote nothing would seem to have come.
+Result<void> WithoutAnUpdateSlotBIsDead(Scene& scene) {
+  const auto pc = PcToUpdate(scene);
+  if (!pc) return tl::unexpected(pc.error());
+  auto ok = pc->NameDefault('b');
+  if (ok) ok = pc->Start(scene);
+  if (ok && AwaitUpdateFace(scene, "of a slot that nobody wrote", kNoFaceOfB))
+    ok = FailInput("slot B shows a face although no update was brought in");
+  scene.target.machine().Off();
+  return ok;
+}
+
 // What is spoilt is spoilt by the host between two starts, behind the back of the box that read everything back.
 //
 // The control: an update whose root is not what its kernel wants gives way within one start.
 Result<void> ABadUpdateGivesWay(Scene& scene) {
+  if (auto dead = WithoutAnUpdateSlotBIsDead(scene); !dead) return dead;
   auto kept = UpdatedPc::Restarted(scene);
-  auto pc = kept ? Result<UpdatedPc>(std::move(*kept)) : UpdatedPc::Make(scene);
+  auto pc = kept ? Result<UpdatedPc>(std::move(*kept)) : PcToUpdate(scene);
   if (!pc) return tl::unexpected(pc.error());
   auto ok = kept ? Result<void>() : UpdateAndRestart(scene, *pc);
   if (ok) ok = pc->SpoilSlotB();
