@@ -5,6 +5,7 @@ import contextlib
 import io
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -55,6 +56,28 @@ class Words(Tree):
     def test_refused_in_the_name_of_a_file_are_named(self):
         self.write("drivers/hid/stick_seat.h", "// Nothing.\n")
         self.assertEqual(len(list(words.offences(self.root))), 1)
+
+    def test_refused_in_their_folders_alone_pass_elsewhere(self):
+        for path, count in (("drivers/scanout/a.cpp", 1), ("appliance/programs/monitor/a.cpp", 0)):
+            with self.subTest(path):
+                self.write(path, "int sheet_width = 0;\n")
+                self.assertEqual(len([line for line in words.offences(self.root) if line.startswith(path)]), count)
+
+    def test_refused_in_names_of_scripts_are_named_and_their_texts_are_not_taken_for_names(self):
+        self.write("tests/a.py", "seat_of = 1\nkind = 'seats'\n")
+        self.write("tests/a.sh", "seat=1  # no seat\necho ${#seat} 'a seat'\n")
+        self.write("tests/a.mjs", "const seatOf = `seat`;  // a seat\n")
+        self.assertEqual(sorted(line.split(": ")[0] for line in words.offences(self.root)), ["tests/a.mjs:1", "tests/a.py:1", "tests/a.sh:1", "tests/a.sh:2"])
+
+    def test_of_the_glossarys_last_column_are_refused_but_for_those_that_it_leaves_to_readers(self):
+        patterns = [pattern for pattern, _ in words.NAMES + words.PROSE] + [pattern for _, pattern, _ in words.WITHIN]
+        rows = re.findall(r"(?m)^\| .* \| .* \| (.+) \|$", (REPOSITORY / "docs/glossary.md").read_text())
+        listed = [word for row in rows if row not in ("not", "---") for word in row.split(", ")]
+        self.assertGreater(len(listed), 15)
+        for word in listed:
+            with self.subTest(word):
+                is_refused = any(re.fullmatch(pattern, word) for pattern in patterns)
+                self.assertEqual(is_refused, not word.startswith("*"))
 
     def test_that_are_plain_pass(self):
         self.write("drivers/hid/a.cpp", '// Takes the newest report; signs and lights as in "handle".\nint device_slot = 0;\n')

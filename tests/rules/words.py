@@ -3,8 +3,9 @@
 
 Usage: words.py ROOT     prints "file:line: word: say ..." for each, and exits 1 when there is one.
 
-In code, names are taken apart (`SeatLids`, `stick_seat`) and their parts are looked at; comments, texts and pages are read
-as English. A word may stand where an exemption says so, with its reason.
+In code, names are taken apart (`SeatLids`, `stick_seat`) and their parts are looked at, in scripts too; comments, texts and pages are
+read as English. A word may stand where an exemption says so, with its reason. Words that are common ones elsewhere are refused in the
+folders alone where they would mean something of our own.
 """
 
 import pathlib
@@ -32,6 +33,22 @@ NAMES = (
     (r"deeds?", "actions, commands"),
     (r"riddles?", "the plain name"),
 )
+# (path's beginning, part of a name, what to say): in other folders the word is a usual one.
+WITHIN = (
+    ("drivers/scanout/", r"sheets?", "DumbBuffer, framebuffer"),
+    ("drivers/scanout/", r"controllers?", "CRTC"),
+    ("drivers/ports/", r"sheets?|controllers?", "DumbBuffer, CRTC"),
+    ("drivers/ports/", r"signs?", "StatusDisplay"),
+    ("drivers/", r"plates?", "descriptors"),
+    ("hw-sim/devices/", r"plates?", "descriptors"),
+    ("hw-sim/links/", r"plates?", "descriptors"),
+    ("appliance/programs/lips/", r"goals?", "target"),
+    ("appliance/core/performance/mouth", r"goals?", "target"),
+    ("appliance/programs/status/", r"signs?", "StatusDisplay"),
+    ("appliance/programs/stage/", r"signs?", "StatusDisplay"),
+    ("appliance/programs/boot/", r"lights?", "boot splash"),
+    ("appliance/core/roles/", r"channels?", "level"),
+)
 # Whole names.
 WHOLE = ((re.compile(r"\bTake(?:[A-Z]\w*)?(?=\()"), "Handle, Accept, Parse, Acquire, Read, by what it does"),)
 
@@ -49,19 +66,28 @@ PROSE = (
     (r"stays? dead|is let in|are let in", "stays unauthorised, is authorised"),
     (r"a hand's wait", "input latency"),
     (r"fell over", "flipped"),
+    (r"deeds?", "action, command"),
+    (r"holders?", "fd keeper"),
+    (r"riddles?", "the plain name"),
+    (r"kaori-(?:light|holder|figures)", "kaori-boot, kaori-fdkeeper, kaori-benchmark"),
+    (r"microbenchmarks?", "benchmark"),
 )
 
 # (path's beginning, pattern of NAMES or PROSE, reason).
 EXEMPT = (
     ("tests/rules/", None, "the list itself, and what its tests seed"),
-    ("docs/needles.", r"needles?", "people call them needles, as the paper does"),
-    ("docs/guide/pictures/needles.", r"needles?", "people call them needles, as the paper does"),
+    # People call them needles, as the paper does: pages and pictures, and scripts that speak of those.
+    *((begin, r"needles?", "the word for people") for begin in (
+        "docs/needles.", "docs/guide/pictures", "docs/pictures.", "hw-sim/console/page/", "tests/hw-sim/browser/", "tests/system/browser_")),
     ("docs/glossary.md", None, "the list for people"),
     ("CHANGELOG.md", None, "what things were called before"),
     ("LICENSE", None, "not ours"),
 )
 
 SPLIT = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+SCRIPTS = (".py", ".sh", ".js", ".mjs")
+# Texts and comments of scripts; a "#" within a word or behind "${" of a shell begins none.
+SCRIPT_TEXT = re.compile(r'"""(?:.|\n)*?"""|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'|`(?:[^`\\]|\\.)*`|//[^\n]*|/\*.*?\*/|(?<![\w&${])#[^\n]*', re.S)
 TEXT = re.compile(r'"(?:[^"\\\n]|\\.)*"|//[^\n]*|/\*.*?\*/|(?<![\w&])#[^\n]*' , re.S)
 
 
@@ -71,8 +97,9 @@ def exempt(path, pattern):
 
 def in_name(path, name):
     """The first refused part of a name, as (part, what to say)."""
+    within = tuple((pattern, say) for begin, pattern, say in WITHIN if path.startswith(begin))
     for part in SPLIT.findall(name):
-        for pattern, say in NAMES:
+        for pattern, say in NAMES + within:
             if re.fullmatch(pattern, part.lower()) and not exempt(path, pattern):
                 return part, say
     return None
@@ -116,8 +143,9 @@ def offences(root):
             continue
         for number, line in enumerate(text.split("\n"), 1):
             yield from (f"{path}:{number}: {word}: say {say}" for word, say in in_prose(path, line))
-        if file.suffix in (".h", ".cpp", ".c", ".fbs"):
-            code = TEXT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+        if file.suffix in (".h", ".cpp", ".c", ".fbs", *SCRIPTS):
+            texts = SCRIPT_TEXT if file.suffix in SCRIPTS else TEXT
+            code = texts.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
             for number, line in enumerate(code.split("\n"), 1):
                 yield from (f"{path}:{number}: {word}: say {say}" for word, say in in_code(path, line))
 

@@ -34,7 +34,7 @@ constexpr float kGivesWay_per_s = 12, kOpens_per_s = 60, kGivenBack_per_s = 3;
 
 // Where the mouth shall go, as board::MouthPosition (open 0..1, wide 0..1 with 0.5 at rest); the half life
 // with which it goes there; and whether somebody speaks: false leaves the mouth to the expression.
-struct Goal {
+struct Target {
   float open = 0;
   float wide = 0.5F;
   float follow_s = kFollowLips_s;
@@ -68,36 +68,36 @@ float VoiceShare(State& state, const board::Snapshot& board, float dt_s) {
 }
 
 // Whoever is lost leaves the mouth as it is, to be given back to the expression.
-Goal FromLips(const State& state, const board::Stamped<board::Lips>& lips) {
+Target FromLips(const State& state, const board::Stamped<board::Lips>& lips) {
   if (!Seen(lips)) return {state.mouth_open, state.mouth_wide, kFollowLips_s, false};
   const board::MouthPosition mouth = board::PositionOf(lips.value);
   return {mouth.open, mouth.wide, kFollowLips_s, true};
 }
 
 // A microphone that works and hears nothing shuts the mouth; one that is gone leaves it as it is.
-Goal FromVoice(const State& state, const board::Stamped<board::Voice>& voice) {
+Target FromVoice(const State& state, const board::Stamped<board::Voice>& voice) {
   if (!Heard(state, voice)) return {state.mouth_open, state.mouth_wide, kFollowVoice_s, false};
   return {voice.value.height, voice.value.width, kFollowVoice_s, true};
 }
 
 // Lips and voice mixed by the voice's share. A mouth that stays near its rest for kPause_s no longer drives:
 // the expression's own mouth (a smile) comes back while nobody speaks.
-Goal FromOperator(State& state, const board::Snapshot& board, float dt_s) {
+Target FromOperator(State& state, const board::Snapshot& board, float dt_s) {
   const float share = VoiceShare(state, board, dt_s);
-  const Goal lips = FromLips(state, board.lips), voice = FromVoice(state, board.voice);
-  Goal goal{Mix(lips.open, voice.open, share), Mix(lips.wide, voice.wide, share),
-            Mix(lips.follow_s, voice.follow_s, share), lips.drives || voice.drives};
-  if (!goal.drives) return goal;
-  const bool speaks = goal.open > kSpeaking || std::abs(goal.wide - 0.5F) > 2 * kSpeaking;
+  const Target lips = FromLips(state, board.lips), voice = FromVoice(state, board.voice);
+  Target target{Mix(lips.open, voice.open, share), Mix(lips.wide, voice.wide, share),
+                Mix(lips.follow_s, voice.follow_s, share), lips.drives || voice.drives};
+  if (!target.drives) return target;
+  const bool speaks = target.open > kSpeaking || std::abs(target.wide - 0.5F) > 2 * kSpeaking;
   state.mouth_quiet_s = speaks ? 0 : std::min(kForgotten_s, state.mouth_quiet_s + dt_s);
-  goal.drives = state.mouth_quiet_s < kPause_s;
-  return goal;
+  target.drives = state.mouth_quiet_s < kPause_s;
+  return target;
 }
 
 // A dial that is off its rest has the mouth before all others. The operator's lips are followed meanwhile, so
 // that they take over without a jump when the dial is turned back.
-Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
-  Goal from_operator = FromOperator(state, board, dt_s);
+Target WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
+  Target from_operator = FromOperator(state, board, dt_s);
   if (IsMouthByDial(state))
     return {At(state.shown, Knob::kMouth), At(state.shown, Knob::kMouthWidth), kFollowDial_s, true};
   const LayerNow& takes = state.layers[static_cast<std::size_t>(show::Level::kMouthOpen)];
@@ -118,15 +118,15 @@ bool IsMouthByDial(const State& state) {
 // wide.
 void MoveMouth(State& state, const board::Snapshot& board, const show::Channels& channels,
                face::Weights& weights, float dt_s) {
-  Goal goal = WhoSpeaks(state, board, dt_s);
-  if (!goal.drives && state.mouth_said <= 0) goal.open = 0;  // Nobody sees it: the next word begins shut.
+  Target target = WhoSpeaks(state, board, dt_s);
+  if (!target.drives && state.mouth_said <= 0) target.open = 0;  // Nobody sees it: the next word begins shut.
   const auto follow = [&](float& now, float to) {
-    now = Travel(now, Approach(now, to, dt_s, goal.follow_s), dt_s, kFastest_per_s);
+    now = Travel(now, Approach(now, to, dt_s, target.follow_s), dt_s, kFastest_per_s);
   };
-  follow(state.mouth_open, goal.open);
-  follow(state.mouth_wide, goal.wide);
+  follow(state.mouth_open, target.open);
+  follow(state.mouth_wide, target.wide);
   const auto move_share = [&](float& share, float speed_per_s) {
-    share = Travel(share, goal.drives ? 1.0F : 0.0F, dt_s, goal.drives ? speed_per_s : kGivenBack_per_s);
+    share = Travel(share, target.drives ? 1.0F : 0.0F, dt_s, target.drives ? speed_per_s : kGivenBack_per_s);
   };
   move_share(state.mouth_drive, kGivesWay_per_s);
   move_share(state.mouth_said, kGivesWay_per_s / std::max(state.mouth_open, kGivesWay_per_s / kOpens_per_s));
