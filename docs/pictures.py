@@ -6,14 +6,16 @@ Usage: pictures.py check              names each picture whose sources have chan
                                       makes those anew (--all: every one) with the programs of FOLDER (out/build/release)
 
 docs/pictures.sums keeps one line for each picture: the SHA-256 of its sources when it was made, and its name. A source is a
-file or a folder; it is what a reader sees in the picture: the files of a page, a scenario, the show's texts. A picture that
-is made of a moving show never comes out twice the same, so that its own bytes say nothing.
+file or a folder; it is what a reader sees in the picture: the files of a page, a scenario, the show's texts, and what the face is
+modelled and drawn with. Of C++ and shaders comments and blanks do not count, and no list of what is built. A picture that is made of a
+moving show never comes out twice the same, so that its own bytes say nothing.
 """
 
 import argparse
 import hashlib
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,10 +23,14 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SUMS = ROOT / "docs" / "pictures.sums"
 
-CONSOLE = ("hw-sim/console/page", "appliance/shows/kaori/show.toml")
+SHOW = ("appliance/shows/kaori",)
+# What draws a face, and what models the one that is drawn.
+DRAWING = (*(f"render/{folder}" for folder in ("face", "gl", "passes", "scene", "shaders")),
+           *(f"appliance/authoring/{folder}" for folder in ("appearance", "mesh", "sculpt")))
+CONSOLE = ("hw-sim/console/page", *SHOW, *DRAWING)
 DESK = ("appliance/programs/desk/page",)
-NEEDLES = ("docs/needles.play", "render/shaders/handle.frag", "render/shaders/handle.vert")
-GUIDE = ("docs/guide/pictures.play", "docs/guide/pictures.sh", "appliance/shows/kaori")
+NEEDLES = ("docs/needles.play", "appliance/programs/editor", *SHOW, *DRAWING)
+GUIDE = ("docs/guide/pictures.play", "docs/guide/pictures.sh", "appliance/authoring/sheet", "appliance/programs/editor", *SHOW, *DRAWING)
 GUIDE_NAMES = ("cast", "expressions", "morphs", "needles", "page", "scenes", "styles")
 
 # Picture -> its sources.
@@ -36,8 +42,19 @@ PICTURES = {
 }
 
 
+CODE = (".cpp", ".h", ".frag", ".vert", ".glsl")
+COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.S)
+
+
+def shown_by(file):
+    """The bytes of a file that may change what it shows; a "//" within a text ends it here as well, which hides a change at most."""
+    if file.name == "CMakeLists.txt":
+        return b""
+    return b" ".join(COMMENT.sub(b"", file.read_bytes()).split()) if file.suffix in CODE else file.read_bytes()
+
+
 def checksum(sources, root=ROOT):
-    """Of the names and the bytes of all files of `sources`, in the order of their names."""
+    """Of the names of all files of `sources` and what each shows, in the order of their names."""
     files = []
     for source in sources:
         path = root / source
@@ -45,7 +62,7 @@ def checksum(sources, root=ROOT):
     total = hashlib.sha256()
     for file in sorted(files):
         total.update(f"{file.relative_to(root)}\0".encode())
-        total.update(hashlib.sha256(file.read_bytes()).digest())
+        total.update(hashlib.sha256(shown_by(file)).digest())
     return total.hexdigest()
 
 

@@ -36,6 +36,31 @@ def notices_a_change():
         assert is_old(sums), "a picture that is gone was not noticed"
 
 
+def notices_changed_drawing_and_no_comment():
+    """Of code only what is compiled counts."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        (root / "passes").mkdir()
+        file = root / "passes/hair.frag"
+
+        def of(text):
+            file.write_text(text)
+            return pictures.checksum(("passes",), root)
+
+        drawn = of("// A lock.\nfloat shine = 0.5;\n")
+        assert of("/* Of hair,\n wet. */ float  shine = 0.5;  // As\n") == drawn, "a comment makes a picture old"
+        assert of("// A lock.\nfloat shine = 0.6;\n") != drawn, "changed drawing was not noticed"
+        (root / "passes/CMakeLists.txt").write_text("one")
+        listed = of("// A lock.\nfloat shine = 0.5;\n")
+        (root / "passes/CMakeLists.txt").write_text("two")
+        assert of("// A lock.\nfloat shine = 0.5;\n") == listed, "a list of what is built makes a picture old"
+
+
+def pictures_with_a_face_show_how_it_is_drawn():
+    for name, sources in pictures.PICTURES.items():
+        assert name == "docs/desk.png" or {"render/shaders", "appliance/authoring/sculpt"} <= set(sources), name
+
+
 def every_source_exists():
     for name, sources in pictures.PICTURES.items():
         for source in sources:
@@ -46,4 +71,6 @@ def every_source_exists():
 
 if __name__ == "__main__":
     notices_a_change()
+    notices_changed_drawing_and_no_comment()
+    pictures_with_a_face_show_how_it_is_drawn()
     every_source_exists()
