@@ -201,9 +201,8 @@ constexpr double kMostJournal_mb = 16.78;
 // What the journal takes, with its bounds: one that takes nothing was not kept. Errors: invalid_argument, it takes too much, or
 // journalctl says something else than it is known to say.
 Result<double> WantBoundedJournal(const std::string& said) {
-  const auto kept_mb = JournalIn_mb(said);
-  if (!kept_mb) return kept_mb;
-  if (*kept_mb > 0 && *kept_mb <= kMostJournal_mb) return kept_mb;
+  auto kept_mb = JournalIn_mb(said);
+  if (!kept_mb || (*kept_mb > 0 && *kept_mb <= kMostJournal_mb)) return kept_mb;
   return FailInput(
       fmt::format("the journal takes {:.1f} MB, and at most {} are wanted", *kept_mb, kMostJournal_mb));
 }

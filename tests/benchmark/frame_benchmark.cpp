@@ -139,15 +139,15 @@ double Over(const std::vector<double>& a_ms, const std::vector<double>& b_ms) {
 }
 
 // `ours` over `theirs`, round by round.
-struct Ratios {
+struct RoundRatios {
   std::vector<double> cpu;
   std::vector<double> wall;
 };
 
 // In turns, so that a busy neighbour hurts both.
-Ratios InTurns(const DrawOne& ours, const DrawOne& theirs, int rounds) {
+RoundRatios InTurns(const DrawOne& ours, const DrawOne& theirs, int rounds) {
   constexpr int kFrames = 6;
-  Ratios ratios;
+  RoundRatios ratios;
   for (int round = -1; round < rounds; ++round) {
     const Costs a = Measure(ours, kFrames);
     const Costs b = Measure(theirs, kFrames);
@@ -184,7 +184,7 @@ void MeasureOverLitTriangles(passes::Painter& painter, Size size, int rounds, st
   };
   const DrawOne theirs = [&](int) { lit.Draw(screen.bytes); };
   Append(NameOf("lit_triangles", size), Measure(theirs, 6 * rounds), metrics);
-  const Ratios ratios = InTurns(ours, theirs, rounds);
+  const RoundRatios ratios = InTurns(ours, theirs, rounds);
   metrics.push_back(Figure(NameOf("default_over_lit_triangles", size) + ".cpu", "ratio", ratios.cpu));
   metrics.push_back(Figure(NameOf("default_over_lit_triangles", size) + ".wall", "ratio", ratios.wall));
 }
