@@ -31,7 +31,7 @@ from pathlib import Path
 import layer
 
 PROGRAMS = ("kaori-boot", "kaori-data", "kaori-fdkeeper", "kaori-input", "kaori-lips", "kaori-power", "kaori-report", "kaori-shows", "kaori-stage",
-            "kaori-surface", "kaori-update", "kaori-desk", "kaori-status", "kaori-atelier", "kaori-sim", "kaori-rehearsal",
+            "kaori-surface", "kaori-update", "kaori-usb", "kaori-desk", "kaori-status", "kaori-atelier", "kaori-sim", "kaori-rehearsal",
             "kaori-evening", "kaori-bench", "kaori-gadget")
 AARCH64 = 183  # e_machine of an ELF file.
 

@@ -4,7 +4,9 @@
 #include <sstream>
 #include <system_error>
 
+#include "appliance/core/store/refused_usb.h"
 #include "appliance/programs/status/screens_file.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
 
 namespace kaori::status {
@@ -28,6 +30,18 @@ std::string WordOf(const std::filesystem::path& path) {
   return lines.empty() ? std::string() : lines.front();
 }
 
+// The sentences about devices that were refused with this weight, by the order of their ports.
+std::vector<std::string> UsbSentences(const std::filesystem::path& folder, store::Weight weight) {
+  std::vector<std::string> lines;
+  for (const auto& file : ListFolder(folder).value_or(std::vector<std::filesystem::path>{})) {
+    const auto refused = store::ParseRefusedUsb(ReadFile(file).value_or(""));
+    if (!refused || refused->weight != weight || lines.size() >= kMostLines) continue;
+    lines.push_back(refused->english);
+    lines.push_back(refused->japanese);
+  }
+  return lines;
+}
+
 // The font is DejaVu Sans, which has no Japanese: those lines are in the log.
 bool IsAscii(char letter) {
   return static_cast<unsigned char>(letter) < 0x80U;
@@ -43,10 +57,12 @@ Facts ReadFacts(const Places& places) {
               LinesOf(places.settings / "faults"),       ParseScreens(ReadFile(places.screens).value_or("")),
               LinesOf(places.notices / "power"),         LinesOf(places.shows)};
   facts.update = LinesOf(places.update);
-  auto spoilt = LinesOf(places.spoilt), reset = LinesOf(places.reset);
-  for (auto* lines : {&spoilt, &reset, &facts.shows, &facts.update})
+  facts.usb = UsbSentences(places.usb, store::Weight::kNamed);
+  auto spoilt = LinesOf(places.spoilt), reset = LinesOf(places.reset),
+       liars = UsbSentences(places.usb, store::Weight::kFault);
+  for (auto* lines : {&spoilt, &reset, &liars, &facts.shows, &facts.update, &facts.usb})
     std::erase_if(*lines, [](const std::string& line) { return !std::ranges::all_of(line, IsAscii); });
-  for (const auto* lines : {&spoilt, &reset})
+  for (const auto* lines : {&spoilt, &reset, &liars})
     facts.faults.insert(facts.faults.end(), lines->begin(), lines->end());
   std::error_code none;
   for (const char* profile : kProfiles)

@@ -1,6 +1,7 @@
 // What the status picture is told of a box, by files in memory.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
   Places places{place.folder(), place.folder() / "screens"};
   places.update = place.folder() / "notice";
   places.spoilt = place.folder() / "spoilt";
+  places.usb = place.folder() / "usb";
   EXPECT_EQ(ReadFacts(places), Facts());
   for (const auto& [file, text] : {std::pair{"kiosk", ""},
                                    {"root_hash", "abc"},
@@ -37,6 +39,27 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
       << "the font has no Japanese letters";
   EXPECT_EQ(facts.update, (std::vector<std::string>{"it is tried"}));
   EXPECT_EQ(facts.screens.size(), 1U);
+}
+
+TEST(StatusFacts, NameADeviceThatStaysOutUntilItsFileGoes) {
+  const board::BoardFile place;
+  Places places{place.folder(), place.folder() / "screens"};
+  places.usb = place.folder() / "usb";
+  std::filesystem::create_directories(places.usb);
+  for (const auto& [port, text] :
+       {std::pair{"1-1", ""},
+        {"1-2",
+         "fault\nUSB port 1-2: a storage device that also calls itself a keyboard stays out\nキーボード\n"},
+        {"1-3", "quiet\nUSB port 1-3: a telephone\n電話機\n"},
+        {"1-4", "named\nUSB port 1-4: a storage device\n記憶装置\n"}})
+    std::ofstream(places.usb / port) << text;
+  const Facts facts = ReadFacts(places);
+  EXPECT_EQ(facts.faults, (std::vector<std::string>{
+                              "USB port 1-2: a storage device that also calls itself a keyboard stays out"}));
+  EXPECT_EQ(facts.usb, (std::vector<std::string>{"USB port 1-4: a storage device"}));
+  std::filesystem::remove(places.usb / "1-2");
+  std::filesystem::remove(places.usb / "1-4");
+  EXPECT_EQ(ReadFacts(places), Facts());
 }
 
 }  // namespace
