@@ -37,7 +37,7 @@ std::vector<std::string> UsbSentences(const std::filesystem::path& folder, store
     const auto refused = store::ParseRefusedUsb(ReadFile(file).value_or(""));
     if (!refused || refused->weight != weight || lines.size() >= kMostLines) continue;
     lines.push_back(refused->english);
-    lines.push_back(refused->japanese);
+    if (!refused->japanese.empty()) lines.push_back(refused->japanese);
   }
   return lines;
 }

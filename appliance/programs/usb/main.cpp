@@ -60,7 +60,8 @@ bool GaveUpAllRights() {
          ::setresuid(kNobody, kNobody, kNobody) == 0 && ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
 }
 
-// One byte more than an honest device has: then it is seen that there are too many.
+// As the kernel has kept them since the device was plugged in, authorised or not; nothing is asked of the device anew. One
+// byte more than an honest one has: then it is seen that there are too many. Errors: those of ReadBeginning.
 kaori::Result<std::string> ReadDescriptors(const fs::path& device) {
   return kaori::ReadBeginning(device / "descriptors", kaori::decode::kMostUsbDescriptor_bytes + 1);
 }
@@ -100,7 +101,8 @@ void Say(const std::optional<kaori::store::RefusedUsb>& refused, const Said& sai
   [[maybe_unused]] const auto written = ::write(log.get(), record.data(), record.size());
 }
 
-// Files are opened first and bytes are read last: what goes wrong with these has no rights.
+// Files are opened first and bytes are looked at last: what goes wrong with these has no rights. Where the rights cannot be
+// given up nothing is looked at, and the device stays out. A program that a signal ends is a no to udev as well.
 int Look(const Request& request) {
   const std::string port = request.device.filename().string();
   const kaori::usb::Situation situation{.key_is_on = kaori::IsThere(request.run / "kaori-service/open"),
@@ -121,7 +123,8 @@ int Misused(std::string_view why) {
 
 }  // namespace
 
-// Words and no options: their reader is not linked statically.
+// Words and no options: their reader is not linked statically. Its one line of misuse is in the log of udev, at the level
+// of debugging; no rule of the box misuses it.
 int main(int count, char** arguments) {
   const auto word = [&](int n) { return n < count ? std::string(arguments[n]) : std::string(); };
   if (word(1) == "--help") return std::fputs(kHelp, stdout), kAuthorised;

@@ -32,6 +32,7 @@ bool HasRole(const OfferedInterface& one) {
   return std::ranges::find(kRoles, one.kind) != kRoles.end();
 }
 
+// The policy: each line is one way to be authorised or refused, and the words further down only tell of it.
 bool IsAuthorised(const UsbOffer& offer, const Situation& situation) {
   if (situation.key_is_on && OffersOnly(offer, UsbClass::kStorage)) return true;
   if (IsOfSerialMaker(offer) && OffersOnly(offer, UsbClass::kVendor)) return true;
@@ -51,6 +52,7 @@ const OfferedInterface* FirstOf(const UsbOffer& offer, Holds holds) {
   return found == offer.interfaces.end() ? nullptr : &*found;
 }
 
+// Both sentences begin with the port, so that a person finds the socket whichever of them is read.
 RefusedUsb Say(Weight weight, std::string_view port, const std::string& english,
                const std::string& japanese) {
   return {.weight = weight,

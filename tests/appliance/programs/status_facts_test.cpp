@@ -51,14 +51,15 @@ TEST(StatusFacts, NameADeviceThatStaysOutUntilItsFileGoes) {
         {"1-2",
          "fault\nUSB port 1-2: a storage device that also calls itself a keyboard stays out\nキーボード\n"},
         {"1-3", "quiet\nUSB port 1-3: a telephone\n電話機\n"},
-        {"1-4", "named\nUSB port 1-4: a storage device\n記憶装置\n"}})
+        {"1-4", "named\nUSB port 1-4: a storage device\n記憶装置\n"},
+        {"1-5", "named\nUSB port 1-5: a torn file"}})
     std::ofstream(places.usb / port) << text;
   const Facts facts = ReadFacts(places);
   EXPECT_EQ(facts.faults, (std::vector<std::string>{
                               "USB port 1-2: a storage device that also calls itself a keyboard stays out"}));
-  EXPECT_EQ(facts.usb, (std::vector<std::string>{"USB port 1-4: a storage device"}));
-  std::filesystem::remove(places.usb / "1-2");
-  std::filesystem::remove(places.usb / "1-4");
+  EXPECT_EQ(facts.usb,
+            (std::vector<std::string>{"USB port 1-4: a storage device", "USB port 1-5: a torn file"}));
+  for (const char* port : {"1-2", "1-4", "1-5"}) std::filesystem::remove(places.usb / port);
   EXPECT_EQ(ReadFacts(places), Facts());
 }
 

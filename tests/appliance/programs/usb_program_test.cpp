@@ -28,7 +28,7 @@ class UsbProgram : public ::testing::Test {
     fs::remove_all(folder_);
     for (const char* each : {"sys", "run/kaori-service", "run/kaori-profile"})
       fs::create_directories(folder_ / each);
-    std::ofstream(folder_ / "log");
+    Put("log");
   }
   ~UsbProgram() override { fs::remove_all(folder_); }
 
@@ -42,6 +42,7 @@ class UsbProgram : public ::testing::Test {
   static sim::UsbBytes Alone(const sim::UsbInterface& one) {
     return sim::ConfigurationOf(1, sim::InterfaceDescriptor(one, 0));
   }
+  void Put(const std::string& file, const std::string& text = "") { std::ofstream(folder_ / file) << text; }
   // The exit status.
   int Run(const std::string& words) const {
     return WEXITSTATUS(std::system((KAORI_USB " " + words + " 2>" + (folder_ / "stderr").string()).c_str()));
@@ -85,7 +86,7 @@ TEST_F(UsbProgram, AsksAnewEachTimeAndLogsWhatIsNew) {
   EXPECT_EQ(Look("1-3"), 1);
   EXPECT_EQ(Look("1-3"), 1);
   EXPECT_EQ(std::ranges::count(Log(), '\n'), 1) << "said twice";
-  std::ofstream(folder_ / "run/kaori-service/open");
+  Put("run/kaori-service/open");
   EXPECT_EQ(Look("1-3"), 0);
   EXPECT_EQ(ReadFile(said("1-3")).value_or("?"), "");
   fs::remove(folder_ / "run/kaori-service/open");
@@ -96,7 +97,7 @@ TEST_F(UsbProgram, AsksAnewEachTimeAndLogsWhatIsNew) {
 TEST_F(UsbProgram, KnowsAKiosk) {
   Plug("1-1", Alone({.number = 0, .kind = 3, .subclass = 1, .protocol = 1}));
   EXPECT_EQ(Look("1-1"), 0);
-  std::ofstream(folder_ / "run/kaori-profile/kiosk");
+  Put("run/kaori-profile/kiosk");
   EXPECT_EQ(Look("1-1"), 1);
 }
 
@@ -109,7 +110,7 @@ TEST_F(UsbProgram, KeepsOutWhatHasNoDescriptorsOrFarTooMany) {
 }
 
 TEST_F(UsbProgram, DecidesAlsoWhereNothingCanBeSaid) {
-  std::ofstream(folder_ / "run/kaori-usb") << "a file in the place of the folder";
+  Put("run/kaori-usb", "a file in the place of the folder");
   Plug("1-2", Alone(kTheMouse));
   Plug("1-3", Alone(kTheStick));
   EXPECT_EQ(Look("1-2"), 0);
