@@ -1,11 +1,21 @@
 #include "hw-sim/devices/unknown_device.h"
 
+#include <utility>
+
 #include "hw-sim/devices/usb_requests.h"
 
 namespace kaori::sim {
 namespace {
 
 constexpr std::uint16_t kUnknownPacketBytes = 512;  // Of bulk transfers at high speed (USB 2.0, 5.8.3).
+
+UsbDescriptors DescriptorsOf(std::uint16_t vendor, std::uint16_t product, UsbBytes configuration) {
+  return {.vendor = vendor,
+          .product = product,
+          .maker = "Nobody known",
+          .name = "Unknown device",
+          .configuration = std::move(configuration)};
+}
 
 }  // namespace
 
@@ -26,11 +36,10 @@ UnknownDevice::UnknownDevice(std::uint16_t vendor, std::uint16_t product,
           .interface = interface.number})})
       contents.insert(contents.end(), one.begin(), one.end());
   }
-  descriptors_ = {.vendor = vendor,
-                  .product = product,
-                  .maker = "Nobody known",
-                  .name = "Unknown device",
-                  .configuration = ConfigurationOf(number, contents)};
+  descriptors_ = DescriptorsOf(vendor, product, ConfigurationOf(number, contents));
 }
+
+UnknownDevice::UnknownDevice(std::uint16_t vendor, std::uint16_t product, UsbBytes configuration)
+    : descriptors_(DescriptorsOf(vendor, product, std::move(configuration))) {}
 
 }  // namespace kaori::sim

@@ -9,13 +9,14 @@
 
 namespace kaori::sim {
 
-// Each interface has one bulk endpoint, which never says anything: what needs none is of no use as storage or
-// network, and udev passes over an interface at the very end of the descriptors. Standard requests alone are
-// answered. One thread.
+// Standard requests alone are answered; its endpoints never say anything. One thread.
 class UnknownDevice final : public UsbDevice {
  public:
-  // Who it says it is, and one interface for each of `interfaces`, which are numbered anew in that order.
+  // Who it says it is, and one interface for each of `interfaces`, which are numbered anew in that order. Each has one bulk
+  // endpoint: what needs none is of no use as storage or network.
   UnknownDevice(std::uint16_t vendor, std::uint16_t product, std::vector<UsbInterface> interfaces);
+  // Whose configuration descriptor, with all that it holds, is these bytes, as of misleading_descriptors.h.
+  UnknownDevice(std::uint16_t vendor, std::uint16_t product, UsbBytes configuration);
 
   const UsbDescriptors& descriptors() const override { return descriptors_; }
   std::optional<UsbBytes> Answer(const UsbSetup&, std::span<const std::uint8_t>) override {

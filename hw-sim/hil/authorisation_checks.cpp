@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "hw-sim/devices/misleading_descriptors.h"
 #include "hw-sim/devices/unknown_device.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/unplugged_device.h"
@@ -93,6 +94,8 @@ struct Unknown {
   std::uint16_t product;
   std::vector<sim::UsbInterface> interfaces;
   bool wanted = false;  // The honest ones among them.
+  // In place of `interfaces` a whole configuration; empty: none.
+  sim::UsbBytes configuration{};
 };
 
 sim::UsbInterface Offers(std::uint8_t kind, std::uint8_t subclass, std::uint8_t protocol) {
@@ -121,13 +124,33 @@ std::vector<Unknown> UnknownDevices() {
           {"a smart card reader", 0x08E6, 0x3437, {Offers(0x0B, 0x00, 0x00)}},
           {"firmware that wants to be written", 0x0483, 0xDF11, {Offers(0xFE, 0x01, 0x02)}},
           {"a vendor's own kind by nobody known", 0x1234, 0x5678, {vendors}},
-          {"nothing at all", 0x1209, 0x0F03, {}}};
+          {"nothing at all", 0x1209, 0x0F03, {}},
+          {.name = "a mouse with storage behind a descriptor of two bytes",
+           .vendor = 0x1209,
+           .product = 0x0F04,
+           .interfaces = {},
+           .configuration = sim::StorageBehindAShortDescriptor()},
+          {.name = "a sound card of 80 kinds with storage behind them",
+           .vendor = 0x1209,
+           .product = 0x0F05,
+           .interfaces = {},
+           .configuration = sim::StorageBehindManySettings()},
+          {.name = "a mouse with storage at the very end",
+           .vendor = 0x1209,
+           .product = 0x0F06,
+           .interfaces = {},
+           .configuration = sim::StorageAtTheVeryEnd()}};
+}
+
+sim::UnknownDevice DeviceOf(const Unknown& unknown) {
+  if (unknown.configuration.empty()) return {unknown.vendor, unknown.product, unknown.interfaces};
+  return {unknown.vendor, unknown.product, unknown.configuration};
 }
 
 // Plugs it in where the pointer was, and unplugs it. Whether it was authorised.
 Result<bool> WasAuthorised(Scene& scene, const Unknown& unknown) {
   sim::UsbRig& rig = scene.target.rig();
-  sim::UnknownDevice device(unknown.vendor, unknown.product, unknown.interfaces);
+  sim::UnknownDevice device = DeviceOf(unknown);
   const std::string number = fmt::format("{:04x}:{:04x}", unknown.vendor, unknown.product);
   const auto is_there = [&] { return FindUsb(scene, number).has_value(); };
   static_cast<void>(rig.Hold("pointer", &device));

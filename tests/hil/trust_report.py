@@ -20,7 +20,7 @@ import bounded_report
 import recorded
 
 # The least and the most of each.
-BOUNDS = {"fat_images": (10_000, math.inf), "fat_images_hung": (0, 0), "usb_liars": (18, math.inf), "usb_liars_let_in": (0, 0),
+BOUNDS = {"fat_images": (10_000, math.inf), "fat_images_hung": (0, 0), "usb_liars": (21, math.inf), "usb_liars_let_in": (0, 0),
           "hung_program_back_s": (0, 3), "silent_clients_wait_ms": (0, 1000)}
 GOALS = {"hung_program_back_s": 2}  # The most.
 HUNG = ("hung_input_back_s", "hung_lips_back_s")

@@ -3,7 +3,7 @@
 
 import trust_report
 
-GOOD = {"fat_images": 10_000, "fat_images_hung": 0, "usb_liars": 18, "usb_liars_let_in": 0, "hung_input_back_s": 1.0,
+GOOD = {"fat_images": 10_000, "fat_images_hung": 0, "usb_liars": 21, "usb_liars_let_in": 0, "hung_input_back_s": 1.0,
         "hung_lips_back_s": 2.3}
 
 

@@ -9,6 +9,8 @@
 
 #include "firmware/wire/dial_box.h"
 #include "firmware/wire/stick_pod.h"
+#include "hw-sim/devices/misleading_descriptors.h"
+#include "hw-sim/devices/unknown_device.h"
 #include "hw-sim/links/usbredir/usb_rig.h"
 #include "tests/hw-sim/usb_machine.h"
 
@@ -68,6 +70,21 @@ TEST_F(UsbLink, SaysWhatADeviceHasBeforeItIsConnected) {
   EXPECT_EQ(machine.endpoints.max_packet_size[0x10 | 1], 64);
   EXPECT_EQ(machine.endpoints.type[1], usb_redir_type_interrupt) << "lamps go out";
   EXPECT_EQ(machine.endpoints.type[2], usb_redir_type_invalid);
+}
+
+// The protocol's table has 32 places, and the descriptors of this device 81.
+TEST_F(UsbLink, SaysOfManySettingsTheFirstOfEachInterface) {
+  UnknownDevice device(0x1209, 1, StorageBehindManySettings());
+  ASSERT_TRUE(rig_->Hold("pointer", &device));
+  UsbMachine machine(Path("pointer"));
+  ASSERT_TRUE(rig_->Plug("pointer"));
+  Talk(machine);
+  EXPECT_THAT(machine.order, ElementsAre("interfaces", "endpoints", "connect"));
+  EXPECT_EQ(machine.interfaces.interface_count, 2U);
+  EXPECT_EQ(machine.interfaces.interface_class[0], 1);
+  EXPECT_EQ(machine.interfaces.interface_class[1], 8);
+  static_cast<void>(rig_->Unplug("pointer"));
+  static_cast<void>(rig_->Hold("pointer", nullptr));
 }
 
 TEST_F(UsbLink, SaysItAllAgainBeforeAConfigurationIsSet) {

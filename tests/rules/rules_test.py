@@ -68,6 +68,7 @@ AGAINST = (
     ("appliance/programs/data/a.h", '"appliance/programs/boot/boot.h"', "appliance/programs/data/ may include only"),
     ("appliance/programs/shows/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/shows/ may include only"),
     ("appliance/programs/power/a.h", '"appliance/programs/data/mend.h"', "appliance/programs/power/ may include only"),
+    ("appliance/programs/usb/a.h", '"appliance/core/board/board.h"', "appliance/programs/usb/ may include only"),
     ("appliance/programs/fdkeeper/a.h", '"drivers/ports/camera.h"', "appliance/programs/fdkeeper/ may include only"),
     ("appliance/programs/surface/a.h", '"appliance/programs/input/input.h"', "appliance/programs/surface/ may include only"),
     ("appliance/programs/editor/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/editor/ may include only"),

@@ -46,6 +46,7 @@ MAY_INCLUDE = (
     ("appliance/programs/data/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
     ("appliance/programs/power/", _BASE + ("appliance/core/board/",)),
+    ("appliance/programs/usb/", _DECODE + ("appliance/core/store/",)),
     ("appliance/programs/input/", _DECODE + ("appliance/core/board/", "appliance/core/toml/")),
     ("appliance/programs/surface/", _DECODE + ("appliance/core/board/",)),
     ("appliance/programs/editor/", _PROGRAM),

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "appliance/core/store/play_log.h"
+#include "appliance/core/store/refused_usb.h"
 #include "appliance/programs/shows/choice_files.h"
 #include "appliance/programs/shows/settings_text.h"
 #include "appliance/programs/status/lines.h"
@@ -107,9 +108,10 @@ std::string Space(const Folder& shows) {
   return fmt::format("{:.1f} MB are free on the data partition\n", static_cast<double>(*free) * 1e-6);
 }
 
-// Hubs and devices, whether or not they are authorised; no serial numbers.
-std::string UsbDevices(const fs::path& usb) {
-  const auto devices = ListFolder(usb);
+// Hubs and devices, whether or not they are authorised; no serial numbers. Below one that kaori-usb refused
+// stands why.
+std::string UsbDevices(const SupportPlaces& places) {
+  const auto devices = ListFolder(places.usb);
   if (!devices) return devices.error().message();
   std::string text;
   for (const fs::path& device : *devices) {
@@ -119,6 +121,8 @@ std::string UsbDevices(const fs::path& usb) {
                         LineOf(device / "authorized") == "0" ? "unauthorised" : "authorised  ",
                         utf8::Printable(LineOf(device / "manufacturer"), kLongestDeviceName),
                         utf8::Printable(LineOf(device / "product"), kLongestDeviceName));
+    const auto refused = store::ParseRefusedUsb(TextOf(places.status.usb / device.filename()));
+    if (refused) text += "             " + refused->english + "\n";
   }
   return text;
 }
@@ -186,7 +190,7 @@ std::string SupportReport(const SupportPlaces& places, const Folder& shows, cons
          Section("Shows", Shows(shows, places.plays)) + Section("Free space", Space(shows)) +
          Section("Show report of the last evening", NewestShowReport(places.reports)) +
          Section("Settings (box.toml), without secrets", SettingsText(places.settings)) +
-         Section("Screens", TextOf(places.status.screens)) + Section("USB devices", UsbDevices(places.usb)) +
+         Section("Screens", TextOf(places.status.screens)) + Section("USB devices", UsbDevices(places)) +
          Section("Crash reports", LinesWith(warnings, {"crash:"}), kMostWarnings_bytes) +
          Section("Warnings and worse", warnings, kMostWarnings_bytes) +
          Section("Journal", JournalOf(journal, JournalPart::kAll, kMostJournal_bytes), kMostJournal_bytes);

@@ -6,7 +6,9 @@
 #include <system_error>
 
 #include "appliance/core/store/box_name.h"
+#include "appliance/core/store/refused_usb.h"
 #include "appliance/programs/status/screens_file.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
 
 namespace kaori::status {
@@ -30,6 +32,18 @@ std::string WordOf(const std::filesystem::path& path) {
   return lines.empty() ? std::string() : lines.front();
 }
 
+// The sentences about devices that were refused with this weight, by the order of their ports.
+std::vector<std::string> UsbSentences(const std::filesystem::path& folder, store::Weight weight) {
+  std::vector<std::string> lines;
+  for (const auto& file : ListFolder(folder).value_or(std::vector<std::filesystem::path>{})) {
+    const auto refused = store::ParseRefusedUsb(ReadFile(file).value_or(""));
+    if (!refused || refused->weight != weight || lines.size() >= kMostLines) continue;
+    lines.push_back(refused->english);
+    if (!refused->japanese.empty()) lines.push_back(refused->japanese);
+  }
+  return lines;
+}
+
 }  // namespace
 
 // All files are small and lie in memory (/run), so that reading them anew each second costs next to nothing.
@@ -45,8 +59,10 @@ Facts ReadFacts(const Places& places) {
               LinesOf(places.notices / "power"),
               LinesOf(places.shows)};
   facts.update = LinesOf(places.update);
-  for (const auto& file : {places.spoilt, places.reset})
-    std::ranges::move(LinesOf(file), std::back_inserter(facts.faults));
+  facts.usb = UsbSentences(places.usb, store::Weight::kNamed);
+  for (const auto& lines :
+       {LinesOf(places.spoilt), LinesOf(places.reset), UsbSentences(places.usb, store::Weight::kFault)})
+    facts.faults.insert(facts.faults.end(), lines.begin(), lines.end());
   std::error_code none;
   for (const char* profile : kProfiles)
     if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;

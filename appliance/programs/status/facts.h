@@ -21,6 +21,8 @@ struct Places {
   std::filesystem::path shows = "/run/kaori-shows/lines";
   // What kaori-data says to whoever asks for a factory reset.
   std::filesystem::path reset = "/run/kaori-reset/notice";
+  // What kaori-usb says of devices that stay unauthorised, a file for each port.
+  std::filesystem::path usb = "/run/kaori-usb";
   // What the stage says of a show of the root that its disk has spoilt.
   std::filesystem::path spoilt = "/run/kaori/show-spoilt";
 };
@@ -33,8 +35,8 @@ struct Facts {
   std::string slot;       // "A" or "B", the disk's slot that was started; empty where that is not known.
   std::string screen;     // The screen of the status display, by name or number; empty: there is none.
   std::string monitor{};  // That of the operators' monitor.
-  // What kaori-boot could not do, one line each, in the order in which it happened; below a line what to do, in
-  // Japanese.
+  // What kaori-boot could not do, one line each, in the order in which it happened, then what other programs found; below
+  // a line what to do, in Japanese.
   std::vector<std::string> faults;
   // As the stage wrote them last; they stay there when the stage is gone.
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.
@@ -44,6 +46,9 @@ struct Facts {
   std::vector<std::string> shows{};
   // How an update of the box stands, as for `shows`.
   std::vector<std::string> update{};
+  // USB devices that stay unauthorised although somebody may want them to work, in the order of their ports.
+  // Those that say they are what they are not are among `faults`.
+  std::vector<std::string> usb{};
 
   friend bool operator==(const Facts&, const Facts&) = default;
 };

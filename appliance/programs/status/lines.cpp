@@ -173,6 +173,7 @@ std::vector<Line> Describe(const State& state) {
   for (const std::string& fault : state.facts.faults) lines.push_back({Mark::kFault, "fault", fault});
   for (const std::string& notice : state.facts.notices) lines.push_back({Mark::kMissing, "power", notice});
   for (const std::string& said : state.facts.update) lines.push_back({Mark::kMissing, "update", said});
+  for (const std::string& said : state.facts.usb) lines.push_back({Mark::kMissing, "refused", said});
   for (const std::string& line : state.facts.shows) {
     const bool refused = line.starts_with(store::kRefusalMark);
     lines.push_back({refused ? Mark::kFault : Mark::kGood, "stick",

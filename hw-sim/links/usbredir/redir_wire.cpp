@@ -144,15 +144,18 @@ std::uint8_t IntervalOf(const UsbEndpoint& endpoint, UsbSpeed speed) {
   return static_cast<std::uint8_t>(std::min(255, 1 << std::clamp(endpoint.interval - 1, 0, 15)));
 }
 
-// The protocol's table of interfaces, 32 at most.
+// The protocol's table of interfaces, 32 at most: further settings of one, and those for which there is no
+// room, are in the descriptors alone.
 usb_redir_interface_info_header InterfacesOf(const UsbContents& contents) {
   usb_redir_interface_info_header info{};
-  info.interface_count = static_cast<std::uint32_t>(contents.interfaces.size());
-  for (std::size_t n = 0; n < contents.interfaces.size(); ++n) {
-    info.interface[n] = contents.interfaces[n].number;
-    info.interface_class[n] = contents.interfaces[n].kind;
-    info.interface_subclass[n] = contents.interfaces[n].subclass;
-    info.interface_protocol[n] = contents.interfaces[n].protocol;
+  for (const UsbInterface& interface : contents.interfaces) {
+    auto* const end = info.interface + info.interface_count;
+    if (end == std::end(info.interface) || std::find(info.interface, end, interface.number) != end) continue;
+    const std::uint32_t n = info.interface_count++;
+    info.interface[n] = interface.number;
+    info.interface_class[n] = interface.kind;
+    info.interface_subclass[n] = interface.subclass;
+    info.interface_protocol[n] = interface.protocol;
   }
   return info;
 }

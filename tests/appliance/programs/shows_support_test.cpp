@@ -34,7 +34,8 @@ class SupportTest : public tests::PackTest {
                .status = {.settings = folder_ / "profile",
                           .screens = folder_ / "screens",
                           .notices = folder_ / "notices",
-                          .shows = folder_ / "lines"}};
+                          .shows = folder_ / "lines",
+                          .usb = folder_ / "refused"}};
   }
   void Put(const std::string& file, const std::string& text) { std::ofstream(folder_ / file) << text; }
   std::string Report() {
@@ -97,6 +98,18 @@ TEST_F(SupportTest, SaysWhyTheLastStartsEndedAndWhatCrashedBeforeAllElse) {
   EXPECT_THAT(report, Not(HasSubstr("4711"))) << "no serial numbers";
   EXPECT_THAT(report, HasSubstr("MB are free"));
   EXPECT_THAT(report, ::testing::EndsWith("== Journal ==\n\n2026 everything that was said\n"));
+}
+
+TEST_F(SupportTest, SaysWhyADeviceStaysUnauthorised) {
+  Put("usb/1-4/idVendor", "1209\n");
+  Put("usb/1-4/idProduct", "0f01\n");
+  Put("usb/1-4/authorized", "0\n");
+  fs::create_directories(folder_ / "refused");
+  Put("refused/1-4", "quiet\nUSB port 1-4: a printer stays out\nプリンター\n");
+  EXPECT_THAT(Report(),
+              HasSubstr("1209:0f01 unauthorised  \n             USB port 1-4: a printer stays out\n"));
+  fs::remove(folder_ / "refused/1-4");
+  EXPECT_THAT(Report(), Not(HasSubstr("a printer")));
 }
 
 TEST_F(SupportTest, OfABoxThatHasNothingIsAReportAllTheSame) {

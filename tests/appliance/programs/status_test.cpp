@@ -56,6 +56,12 @@ TEST_F(StatusWords, AnUpdateThatGaveWayIsSaidWithItsReason) {
   EXPECT_THAT(Said("update"), HasSubstr("- version 12: it was tried and gave way"));
 }
 
+TEST_F(StatusWords, AUsbDeviceThatStaysOutIsSaidWithItsPort) {
+  EXPECT_THAT(Said("refused"), IsEmpty());
+  state_.facts.usb = {"USB port 1-2: a storage device stays out while the service key is off"};
+  EXPECT_EQ(Said("refused"), "- USB port 1-2: a storage device stays out while the service key is off");
+}
+
 TEST_F(StatusWords, AShowThatWasRefusedHasTheMarkOfAFaultAndAListHasNot) {
   state_.facts.shows = {"! guest: this box does not trust its signer"};
   EXPECT_EQ(Said("stick"), "! guest: this box does not trust its signer");

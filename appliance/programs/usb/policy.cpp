@@ -1,0 +1,111 @@
+#include "appliance/programs/usb/policy.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "appliance/programs/usb/kind_names.h"
+
+namespace kaori::usb {
+namespace {
+
+using decode::OfferedInterface;
+using decode::UsbClass;
+using decode::UsbOffer;
+using store::RefusedUsb;
+using store::Weight;
+
+// Their chips are in the serial adapters of old dial boxes: FTDI, Prolific, CH340.
+constexpr std::array<std::uint16_t, 3> kSerialMakers{0x0403, 0x067B, 0x1A86};
+
+bool IsOfSerialMaker(const UsbOffer& offer) {
+  return std::ranges::find(kSerialMakers, offer.vendor) != kSerialMakers.end();
+}
+
+bool OffersOnly(const UsbOffer& offer, UsbClass kind) {
+  return std::ranges::all_of(offer.interfaces, [kind](const auto& one) { return one.kind == kind; });
+}
+
+// In every profile, and by itself.
+bool HasRole(const OfferedInterface& one) {
+  constexpr std::array kRoles{UsbClass::kSound, UsbClass::kInput, UsbClass::kHub, UsbClass::kCamera};
+  return std::ranges::find(kRoles, one.kind) != kRoles.end();
+}
+
+// The policy: each line is one way to be authorised or refused, and the words further down only tell of it.
+bool IsAuthorised(const UsbOffer& offer, const Situation& situation) {
+  if (situation.key_is_on && OffersOnly(offer, UsbClass::kStorage)) return true;
+  if (IsOfSerialMaker(offer) && OffersOnly(offer, UsbClass::kVendor)) return true;
+  if (!std::ranges::all_of(offer.interfaces, HasRole)) return false;
+  return !situation.is_kiosk || std::ranges::none_of(offer.interfaces, IsKeyboard);
+}
+
+// What somebody may have brought for the show: it has a role, or would have one alone.
+bool IsWanted(const OfferedInterface& one, bool of_serial_maker) {
+  return HasRole(one) || one.kind == UsbClass::kStorage || (of_serial_maker && one.kind == UsbClass::kVendor);
+}
+
+// The first interface for which it holds; nothing where there is none.
+template <class Holds>
+const OfferedInterface* FirstOf(const UsbOffer& offer, Holds holds) {
+  const auto found = std::ranges::find_if(offer.interfaces, holds);
+  return found == offer.interfaces.end() ? nullptr : &*found;
+}
+
+// Both sentences begin with the port, so that a person finds the socket whichever of them is read.
+RefusedUsb Say(Weight weight, std::string_view port, const std::string& english,
+               const std::string& japanese) {
+  return {.weight = weight,
+          .english = "USB port " + std::string(port) + ": " + english,
+          .japanese = "USBポート" + std::string(port) + ": " + japanese};
+}
+
+// A telephone that is charged offers pictures, and often sound besides: nobody is to be told of it in a show.
+RefusedUsb SayUnwanted(std::string_view port, const KindName& name) {
+  return Say(Weight::kQuiet, port, std::string(name.english) + " stays out, since the box has no role for it",
+             std::string(name.japanese) + "はこの箱では使えません");
+}
+
+// `without` has no role beside the rest, and `with` would have one alone.
+RefusedUsb SayMixed(std::string_view port, const KindName& without, const KindName& with) {
+  return Say(
+      Weight::kFault, port,
+      std::string(without.english) + " that also calls itself " + std::string(with.english) + " stays out",
+      std::string(with.japanese) + "とも名乗る" + std::string(without.japanese) + "は使えません");
+}
+
+}  // namespace
+
+// The words follow the first reason that holds; all of them are of our own, none is the device's.
+std::optional<RefusedUsb> WhyRefused(const Result<UsbOffer>& offer, std::string_view port,
+                                     const Situation& situation) {
+  if (!offer)
+    return Say(Weight::kFault, port,
+               "a device whose descriptors cannot be read stays out (" + offer.error().message() + ")",
+               "記述子を読めない機器は使えません");
+  if (IsAuthorised(*offer, situation)) return std::nullopt;
+  if (OffersOnly(*offer, UsbClass::kStorage))
+    return Say(Weight::kNamed, port, "a storage device stays out while the service key is off",
+               "記憶装置はサービスキーを入れるまで使えません");
+  if (std::ranges::all_of(offer->interfaces, HasRole))
+    return Say(Weight::kNamed, port, "a keyboard stays out, since this box is a kiosk",
+               "キオスクの箱ではキーボードは使えません");
+  const bool serial = IsOfSerialMaker(*offer);
+  const auto name = [serial](const OfferedInterface* one) { return NameOf(*one, serial); };
+  const auto is_wanted = [serial](const auto& one) { return IsWanted(one, serial); };
+  const auto* const picture =
+      FirstOf(*offer, [](const auto& one) { return one.kind == UsbClass::kStillImage; });
+  if (picture != nullptr) return SayUnwanted(port, name(picture));
+  const auto* const wanted = FirstOf(*offer, is_wanted);
+  const auto* const unwanted = FirstOf(*offer, [&](const auto& one) { return !is_wanted(one); });
+  if (wanted == nullptr) return SayUnwanted(port, name(unwanted));
+  if (unwanted != nullptr) return SayMixed(port, name(unwanted), name(wanted));
+  // Each of them would have a role alone: what has it only by the key, or by its maker, is told of first.
+  const auto* const guest = FirstOf(*offer, [](const auto& one) { return one.kind == UsbClass::kStorage; });
+  const auto* const odd =
+      guest != nullptr ? guest : FirstOf(*offer, [](const auto& one) { return !HasRole(one); });
+  const auto* const other = FirstOf(*offer, [odd](const auto& one) { return one.kind != odd->kind; });
+  return SayMixed(port, name(odd), name(other));
+}
+
+}  // namespace kaori::usb
