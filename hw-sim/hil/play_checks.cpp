@@ -191,6 +191,7 @@ Result<std::uint32_t> PlayFile(Scene& scene, const std::string& file, int most, 
   return after->stage.frames - before->stage.frames;
 }
 
+// All of the show's own scenario, or its first scenes.
 Result<void> Play(Scene& scene) {
   const auto frames = PlayFile(scene, scene.play, scene.scenes, {.input = true});
   if (!frames) return tl::unexpected(frames.error());

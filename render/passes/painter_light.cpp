@@ -24,7 +24,8 @@ void Painter::Parts::DrawShadows() {
   frame.BindUniforms(kFrameBinding);
 }
 
-// Skin of metal is left as it is, and costs nothing.
+// Skin of metal is left as it is, and costs nothing. The light on all of the skin is drawn, also where hair and clothes
+// will hide it: light comes out from below them, too.
 void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
   scattered = nullptr;
   if (!scatter || body->ScatterOf(shape.faces) < kUnscattered) return;

@@ -20,6 +20,8 @@ Result<ScatterPass> ScatterPass::Open() {
   return pass;
 }
 
+// A refusal of the driver is logged once and remembered: the show goes on with light that stays where it falls. Targets
+// only ever grow, so that screens of several sizes, drawn in turns, make nothing anew.
 bool ScatterPass::Begin(int width_px, int height_px, const gl::Box& figure) {
   if (refused_) return false;
   const bool has_room = light_ && light_->width_px() >= width_px && light_->height_px() >= height_px;

@@ -22,6 +22,21 @@ bool IsOfSerialMaker(const UsbOffer& offer) {
   return std::ranges::find(kSerialMakers, offer.vendor) != kSerialMakers.end();
 }
 
+// Microchip's bridge of USB to GPIO lines, which is a serial port (its datasheet, DS20005565, 1.4) besides: the box has no
+// driver for that, and lets it be. Networks call themselves communication too, of another subclass or protocol.
+bool IsLineBridge(const UsbOffer& offer) {
+  constexpr std::uint16_t kMicrochip = 0x04D8, kMcp2221a = 0x00DD;
+  constexpr std::uint8_t kModem = 2, kCommands = 1;
+  const auto is_its_own = [](const OfferedInterface& one) {
+    const bool serial =
+        one.kind == UsbClass::kCommunication && one.subclass == kModem && one.protocol == kCommands;
+    return serial || one.kind == UsbClass::kData || one.kind == UsbClass::kInput;
+  };
+  return offer.vendor == kMicrochip && offer.product == kMcp2221a &&
+         std::ranges::all_of(offer.interfaces, is_its_own) &&
+         std::ranges::none_of(offer.interfaces, IsKeyboard);
+}
+
 bool OffersOnly(const UsbOffer& offer, UsbClass kind) {
   return std::ranges::all_of(offer.interfaces, [kind](const auto& one) { return one.kind == kind; });
 }
@@ -36,6 +51,7 @@ bool HasRole(const OfferedInterface& one) {
 bool IsAuthorised(const UsbOffer& offer, const Situation& situation) {
   if (situation.key_is_on && OffersOnly(offer, UsbClass::kStorage)) return true;
   if (IsOfSerialMaker(offer) && OffersOnly(offer, UsbClass::kVendor)) return true;
+  if (IsLineBridge(offer)) return true;
   if (!std::ranges::all_of(offer.interfaces, HasRole)) return false;
   return !situation.is_kiosk || std::ranges::none_of(offer.interfaces, IsKeyboard);
 }

@@ -88,6 +88,19 @@ TEST(UsbPolicy, AMakersOwnClassIsASerialAdapterOfThreeMakersAlone) {
       "quiet: USB port 1-2: a device of its maker's own kind stays out, since the box has no role for it");
 }
 
+TEST(UsbPolicy, ABridgeOfLinesMayBeASerialPortBesidesAndNoNetwork) {
+  constexpr OfferedInterface kModem{UsbClass::kCommunication, 2, 1},
+      kRndis{UsbClass::kCommunication, 2, 0xFF};
+  const auto judge = [](std::uint16_t product, std::vector<OfferedInterface> interfaces) {
+    return WhyRefused(UsbOffer{.vendor = 0x04D8, .product = product, .interfaces = std::move(interfaces)},
+                      "1-2", {.is_kiosk = true});
+  };
+  EXPECT_FALSE(judge(0x00DD, {kModem, kData, kKnobs})) << "an MCP2221A as it is sold";
+  EXPECT_TRUE(judge(0x00DE, {kModem, kData, kKnobs}));
+  for (const OfferedInterface& wrong : {kRndis, kNetwork, kStorage, kVendors, kKeyboard})
+    EXPECT_TRUE(judge(0x00DD, {kModem, kData, kKnobs, wrong})) << "whatever it calls itself";
+}
+
 TEST(UsbPolicy, InAKioskNoKeyboardIsAuthorisedWhateverElseItIs) {
   const Situation kiosk{.is_kiosk = true};
   EXPECT_EQ(Said({kKnobs, kMouse, kCamera}, kiosk), "authorised");
