@@ -1,5 +1,6 @@
 // A box that starts from a USB stick, which no other stick can be taken for, and from an SD card.
 #include <algorithm>
+#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -24,8 +25,8 @@ constexpr Duration kLongestPlayOn =
 const Setup kOnUsb{.disk_bus = DiskBus::kUsb, .other_stick = true};
 const Setup kOnSd{.plugged = false, .sound = false, .agent = false, .disk_bus = DiskBus::kSd};
 
-// QEMU's SD cards are as large as a power of two.
-constexpr std::uintmax_t kSdCard_bytes = std::uintmax_t{1} << 30U;
+// QEMU's SD cards are as large as a power of two, and this is the smallest that it takes for one of high capacity.
+constexpr std::uintmax_t kLeastSdCard_bytes = std::uintmax_t{1} << 30U;
 
 // Of the USB storage in the machine, as QEMU makes it: the port, and whether it is authorised.
 std::vector<std::pair<std::string, bool>> StorageIn(Scene& scene) {
@@ -105,7 +106,9 @@ Result<void> NotBothAre(Scene& scene) {
 // Starts from a card with what the disk holds, which is gone afterwards.
 Result<void> WantFaceFrom(Scene& scene, const std::string& card, Duration longest) {
   std::error_code failed;
-  std::filesystem::resize_file(card, kSdCard_bytes, failed);
+  const auto disk_bytes = std::filesystem::file_size(card, failed);
+  if (!failed)
+    std::filesystem::resize_file(card, std::bit_ceil(std::max(disk_bytes, kLeastSdCard_bytes)), failed);
   if (failed) return Fail(std::errc::io_error, "lengthen " + card);
   Setup setup = kOnSd;
   setup.disk = card;
