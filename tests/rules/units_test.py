@@ -6,7 +6,8 @@ import sys
 import unittest
 from pathlib import Path
 
-UNITS = Path(sys.argv.pop(1)) / "rootfs/overlay/usr/lib/systemd/system"
+ROOTFS = Path(sys.argv.pop(1)) / "rootfs"
+UNITS = ROOTFS / "overlay/usr/lib/systemd/system"
 
 
 def starts_again_at_once(unit):
@@ -28,6 +29,20 @@ class Restarts(unittest.TestCase):
             self.assertTrue(starts_again_at_once(f"[Service]\nRestart=always\nRestartSec={pause}\n"))
         for pause in ("20ms", "0.5", "10"):
             self.assertFalse(starts_again_at_once(f"[Service]\nRestart=always\nRestartSec={pause}\n"))
+
+
+class Programs(unittest.TestCase):
+    """What units and udev's rules start is in the image: a rule whose program is missing keeps every device out."""
+
+    @staticmethod
+    def started():
+        texts = [file.read_text() for file in (ROOTFS / "overlay").rglob("*") if file.is_file() and file.suffix in (".service", ".rules")]
+        return {name for text in texts for name in re.findall(r"/usr/bin/kaori-([a-z]+)", text)}
+
+    def test_all_that_are_started_are_in_the_image(self):
+        there = re.search(r"^readonly ON_BOX=.*kaori-\{([a-z,]+)\}", (ROOTFS / "image/build").read_text(), re.M)[1].split(",")
+        self.assertGreater(len(self.started()), 10)
+        self.assertEqual(self.started() - set(there), set())
 
 
 class Waiting(unittest.TestCase):
