@@ -13,6 +13,14 @@ namespace kaori {
 // nothing where no manager watches; a failure is one line in the log. Any thread.
 void ExpectLongCall();
 
+// To be called before a piece is read from a stick or a disk, or written to one and waited for until it is safe there: the
+// kernel tries a block that it cannot read for minutes, and a slow stick takes as long for what is still in memory. Threads
+// and failures as above.
+void ExpectSlowDisk();
+
+// To be called before something that the caller knows to take no longer than `longest`. Threads and failures as above.
+void ExpectLongCall(Duration longest);
+
 // The pause before a call that failed and took so long is made again: `least`, or what leaves twenty parts of the
 // time to everything else. It counts from the end of the call. Pure.
 inline Duration PauseAfter(Duration took, Duration least) {

@@ -9,8 +9,8 @@
 namespace kaori::service {
 namespace {
 
-// A single late beat, as while a device is opened, is no pace: thirty times as long would be no limit at all.
-constexpr int kShare = 8;
+// A single late beat, as while a device is opened, is no pace: Watchdog::kPatientTurns as long would be no limit at all.
+constexpr int kPatientBeats = 3;
 
 }  // namespace
 
@@ -24,7 +24,8 @@ Duration BeatPace::See(Time now) {
     window_began_ = now;
   }
   longest_ = std::max(longest_, now - std::exchange(last_, now));
-  return std::max<Duration>(Watchdog::kPeriod, std::max(longest_, longest_before_) / kShare);
+  const Duration silence = std::max(kLeastSilence, std::max(longest_, longest_before_) * kPatientBeats);
+  return (silence + Duration(Watchdog::kPatientTurns - 1)) / Watchdog::kPatientTurns;  // Rounded up.
 }
 
 Result<void> FeedWatchdog(EventLoop& loop, std::function<Duration()> turn) {
@@ -37,6 +38,19 @@ Result<void> FeedWatchdog(EventLoop& loop, std::function<Duration()> turn) {
 
 Result<void> FeedWatchdog(EventLoop& loop, const Clock& clock) {
   return FeedWatchdog(loop, [pace = BeatPace(), &clock]() mutable { return pace.See(clock.now()); });
+}
+
+// A turn of 0 asks for the longest silence.
+Result<void> FeedWatchdogOfUnit(EventLoop& loop) {
+  constexpr int kBeatsInLimit = 4;
+  auto watchdog = Watchdog::Wanted();
+  if (!watchdog) return {};
+  const auto beat = [watchdog = *watchdog]() mutable {
+    if (auto told = watchdog.Beat({}); !told) LogWarning("{}", told.error().message());
+  };
+  std::function<void()> again = beat;
+  again();
+  return loop.Every(watchdog->limit() / kBeatsInLimit, std::move(again));
 }
 
 }  // namespace kaori::service

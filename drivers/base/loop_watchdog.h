@@ -14,12 +14,15 @@ namespace kaori::service {
 // machine. Pure.
 class BeatPace {
  public:
-  // The time of a beat. Gives the turn that Watchdog::Beat multiplies: an eighth of the longest time between
-  // two beats of the last kWindow to 2 kWindow, this one included, but no less than Watchdog::kPeriod; zero
-  // at the first beat, where none is known.
+  // The time of a beat. Gives the turn that Watchdog::Beat multiplies to the silence that is allowed: three times the
+  // longest time between two beats of the last kWindow to 2 kWindow, this one included, but no less than
+  // kLeastSilence; zero at the first beat, where none is known.
   Duration See(Time now);
 
   static constexpr Duration kWindow = std::chrono::seconds(10);
+  // Operators' hands are to be back within two seconds of a hang: the other second is for systemd, which is up to 250 ms
+  // late twice, and for the new program.
+  static constexpr Duration kLeastSilence = std::chrono::seconds(1);
 
  private:
   Time last_{};
@@ -34,8 +37,12 @@ class BeatPace {
 // Errors: those of EventLoop::Every.
 Result<void> FeedWatchdog(EventLoop& loop, std::function<Duration()> turn);
 
-// The same for a loop that only waits for events: a silence of 1.5 s is a hang, or of almost four times the
-// longest that there was lately, on a machine that is slow. `clock` outlives the loop.
+// The same for a loop that only waits for events: a silence of 1 s is a hang, or of three times the longest that there was
+// lately, on a machine that is slow. `clock` outlives the loop.
 Result<void> FeedWatchdog(EventLoop& loop, const Clock& clock);
+
+// The same for a program for which nobody waits by the second, and to which the face may leave little time: it has as long as
+// its unit says (WatchdogSec=), always. Beats at once and then four times in that time.
+Result<void> FeedWatchdogOfUnit(EventLoop& loop);
 
 }  // namespace kaori::service

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 
+#include "drivers/base/long_call.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori {
@@ -79,6 +80,8 @@ Result<int> RunProgram(const std::vector<std::string>& words) {
 // Our end of the pipe is shut for the program, which gets its own as standard output.
 Result<std::string> OutputOf(const std::vector<std::string>& words, std::size_t most_bytes,
                              Duration longest) {
+  constexpr Duration kItsEnd = std::chrono::seconds(10);  // Until one that was killed is gone.
+  ExpectLongCall(longest + kItsEnd);
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) < 0) return FailErrno("start " + words[0]);
   const UniqueFd ours(ends[0]);

@@ -16,7 +16,8 @@ namespace kaori {
 Result<int> RunProgram(const std::vector<std::string>& words);
 
 // The same, but gives what the program writes to its standard output: of more than `most_bytes` the end, from
-// the beginning of a line on. One that has not ended after `longest` is killed. Errors: as RunProgram, and
+// the beginning of a line on. One that has not ended after `longest` is killed, and until then the service manager does not
+// take the caller for one that hangs. Errors: as RunProgram, and
 //   timed_out         it was killed
 //   invalid_argument  it ended with another status than 0 (kInput)
 Result<std::string> OutputOf(const std::vector<std::string>& words, std::size_t most_bytes, Duration longest);

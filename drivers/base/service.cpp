@@ -111,6 +111,11 @@ Result<void> StoreFd(int fd, std::string_view name) {
   return AwaitManager();
 }
 
+Result<void> ExtendStart(Duration longest) {
+  return Tell(fmt::format("EXTEND_TIMEOUT_USEC={}",
+                          std::chrono::duration_cast<std::chrono::microseconds>(longest).count()));
+}
+
 // As sd_listen_fds_with_names(3) has it: names are in the order of the descriptors, with colons between.
 // Close-on-exec is set on the one that is given, which systemd passes without it.
 std::optional<UniqueFd> RetrieveFd(std::string_view name) {
@@ -141,9 +146,12 @@ Result<void> Watchdog::Beat(Duration turn) {
                          : std::clamp(turn * kPatientTurns, std::min(kShortestSilence, longest_), longest_);
   // Small changes are not worth a message: only a longer limit, or one that is shorter by a quarter, is
   // sent. A longer one goes out at once, since the old one would kill a machine that became slow.
-  const Duration told = g_told.exchange(limit_);
-  if (told <= limit_ && wanted <= limit_ && wanted * 4 > limit_ * 3) return Tell("WATCHDOG=1");
-  limit_ = wanted;
+  if (g_told.load() == limit_ && wanted <= limit_ && wanted * 4 > limit_ * 3) return Tell("WATCHDOG=1");
+  return BeatWithin(wanted);
+}
+
+Result<void> Watchdog::BeatWithin(Duration limit) {
+  limit_ = std::min(limit, longest_);
   return TellLimit(limit_);
 }
 

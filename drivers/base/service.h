@@ -25,6 +25,11 @@ Result<void> Tell(std::string_view assignments);
 // Errors: those of pipe2(2) and sendmsg(2); timed_out.
 Result<void> StoreFd(int fd, std::string_view name);
 
+// For a program that has not told READY=1 yet: its start may take `longest` from now on. The manager (systemd 252) takes
+// the later one of this and of what it waits for already: a start cannot be given less time so, only more; see StartWatch.
+// Errors: those of Tell.
+Result<void> ExtendStart(Duration longest);
+
 // The descriptor that was kept, or passed by a socket unit, under this name. Each may be retrieved once,
 // since the caller owns it then; none on the first start. It is made close-on-exec.
 std::optional<UniqueFd> RetrieveFd(std::string_view name);
@@ -37,10 +42,15 @@ class Watchdog {
   // None where no manager watches. WATCHDOG_USEC is the longest silence that it ever allows.
   static std::optional<Watchdog> Wanted();
 
-  // Called from the loop every kPeriod, or as often as the loop gets round. `turn` is how long a turn of the
+  // Called from the loop every kPeriod, or as often as the loop gets round. The first beat says the limit in any case: the
+  // manager may have been told of another one since the program began. `turn` is how long a turn of the
   // loop usually takes, 0 where that is not yet known: kPatientTurns may be silent, but never less than 250
   // ms. Errors: those of Tell.
   Result<void> Beat(Duration turn);
+
+  // A beat after which `limit` may be silent, or what WATCHDOG_USEC allows where that is less. Works before READY=1, too:
+  // systemd watches whoever has asked for it. Errors: those of Tell.
+  Result<void> BeatWithin(Duration limit);
 
   // At 60 frames/s 30 turns are half a second, which an audience sees as a hitch and not as a failure.
   static constexpr int kPatientTurns = 30;
@@ -48,7 +58,8 @@ class Watchdog {
   // Twenty times a second: a limit of 250 ms leaves room for some that come late.
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);
 
-  // After this silence the manager kills the program. Between 250 ms and what WATCHDOG_USEC allows.
+  // After this silence the manager kills the program. Between 250 ms and what WATCHDOG_USEC allows, which it is before the
+  // first beat.
   Duration limit() const { return limit_; }
 
  private:

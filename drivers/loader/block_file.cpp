@@ -10,6 +10,7 @@
 #include <new>
 #include <utility>
 
+#include "drivers/base/long_call.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori::loader {
@@ -65,6 +66,7 @@ class BlockFile final : public ports::BlockDevice {
 
   // The kernel forgets its copy, where it has one, so that the next reading asks the disk.
   Result<void> Flush() override {
+    ExpectSlowDisk();
     if (::fsync(fd_.get()) < 0) return FailErrno("write " + name_);
     ::posix_fadvise(fd_.get(), 0, 0, POSIX_FADV_DONTNEED);
     return {};
@@ -85,6 +87,7 @@ class BlockFile final : public ports::BlockDevice {
   }
   // As often as the kernel gives less than was asked for; a signal is no end.
   Result<void> ReadAll(std::uint64_t at, std::span<std::uint8_t> into) const {
+    ExpectSlowDisk();
     while (!into.empty()) {
       const ssize_t got = ::pread(fd_.get(), into.data(), into.size(), static_cast<off_t>(at));
       if (got < 0 && errno == EINTR) continue;
@@ -97,6 +100,7 @@ class BlockFile final : public ports::BlockDevice {
   }
   // The same. After an error some units may be written, and others not.
   Result<void> WriteAllAt(std::uint64_t at, std::span<const std::uint8_t> from) const {
+    ExpectSlowDisk();
     while (!from.empty()) {
       const ssize_t written = ::pwrite(fd_.get(), from.data(), from.size(), static_cast<off_t>(at));
       if (written < 0 && errno == EINTR) continue;

@@ -1,5 +1,6 @@
 #include "drivers/base/service.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -10,6 +11,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/long_call.h"
 #include "drivers/base/loop_watchdog.h"
+#include "drivers/base/run_program.h"
 #include "tests/drivers/service_manager.h"
 
 namespace kaori::service {
@@ -95,6 +97,9 @@ TEST_F(WatchedService, IsWaitedForAsLongAsTheManagerSaysUntilItsPaceIsKnown) {
   auto watchdog = Watchdog::Wanted();
   ASSERT_TRUE(watchdog);
   ASSERT_TRUE(watchdog->Beat(Duration{}));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=10000000\nWATCHDOG=1")
+      << "it may have been told otherwise before";
+  ASSERT_TRUE(watchdog->Beat(Duration{}));
   EXPECT_EQ(manager_.Read().words, "WATCHDOG=1");
   EXPECT_EQ(watchdog->limit(), std::chrono::seconds(10));
 }
@@ -124,18 +129,20 @@ TEST_F(WatchedService, AManagerWithoutPatienceIsNotAskedForMore) {
   EXPECT_EQ(watchdog->limit(), std::chrono::milliseconds(100));
 }
 
-TEST(BeatPace, IsAnEighthOfTheLongestTimeBetweenTwoBeatsOfTheLastSeconds) {
+TEST(BeatPace, AllowsASecondOrThreeTimesTheLongestTimeBetweenTwoBeatsOfTheLastSeconds) {
   using std::chrono::milliseconds;
   BeatPace pace;
   Time now{};
-  const auto beat_after = [&](int ms) { return pace.See(now += milliseconds(ms)); };
+  const auto beat_after = [&](int ms) {
+    return std::chrono::floor<milliseconds>(pace.See(now += milliseconds(ms)) * Watchdog::kPatientTurns);
+  };
   EXPECT_EQ(beat_after(7000), Duration{}) << "there is no beat before the first";
-  EXPECT_EQ(beat_after(50), milliseconds(50));
-  EXPECT_EQ(beat_after(400), milliseconds(50)) << "the period is the least";
-  EXPECT_EQ(beat_after(1600), milliseconds(200));
-  for (int n = 0; n < 150; ++n) EXPECT_EQ(beat_after(50), milliseconds(200)) << n;
+  EXPECT_EQ(beat_after(50), milliseconds(1000));
+  EXPECT_EQ(beat_after(330), milliseconds(1000)) << "a second is the least";
+  EXPECT_EQ(beat_after(1600), milliseconds(4800));
+  for (int n = 0; n < 150; ++n) EXPECT_EQ(beat_after(50), milliseconds(4800)) << n;
   for (int n = 0; n < 400; ++n) static_cast<void>(beat_after(50));
-  EXPECT_EQ(beat_after(50), milliseconds(50)) << "what was long ago is forgotten";
+  EXPECT_EQ(beat_after(50), milliseconds(1000)) << "what was long ago is forgotten";
 }
 
 // Beats that it is asked for are as late as those of a machine that has time.
@@ -147,7 +154,7 @@ class BeatClock : public Clock {
   mutable Time now_{};
 };
 
-TEST_F(WatchedService, ALoopThatOnlyWaitsIsGivenUpOnAfterThirtyOfItsBeats) {
+TEST_F(WatchedService, ALoopThatOnlyWaitsIsGivenUpOnAfterASecond) {
   auto loop = EventLoop::Open();
   ASSERT_TRUE(loop);
   const BeatClock clock;
@@ -157,8 +164,46 @@ TEST_F(WatchedService, ALoopThatOnlyWaitsIsGivenUpOnAfterThirtyOfItsBeats) {
     if (++beats == 4) loop->Stop();
   }));
   ASSERT_TRUE(loop->Run());
-  EXPECT_EQ(manager_.Read().words, "WATCHDOG=1") << "its pace is not known yet";
-  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=1500000\nWATCHDOG=1");
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=10000000\nWATCHDOG=1") << "its pace is not known yet";
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=1000000\nWATCHDOG=1");
+}
+
+TEST_F(WatchedService, AProgramThatNobodyWaitsForBeatsAtOnceAndFourTimesInTheTimeOfItsUnit) {
+  ::setenv("WATCHDOG_USEC", "200000", 1);
+  auto loop = EventLoop::Open();
+  ASSERT_TRUE(loop);
+  ASSERT_TRUE(FeedWatchdogOfUnit(*loop));
+  EXPECT_THAT(manager_.Heard(), ::testing::ElementsAre("WATCHDOG_USEC=200000\nWATCHDOG=1"));
+  int turns = 0;
+  ASSERT_TRUE(loop->Every(std::chrono::milliseconds(50), [&] {
+    if (++turns == 6) loop->Stop();
+  }));
+  ASSERT_TRUE(loop->Run());
+  const auto beats = manager_.Heard();
+  EXPECT_THAT(beats, ::testing::Each(std::string("WATCHDOG=1")));
+  EXPECT_GE(beats.size(), 2U) << "a machine that is busy leaves some out";
+  EXPECT_LE(beats.size(), 6U);
+}
+
+TEST_F(WatchedService, WorkThatIsKnownToTakeLongIsWaitedForUntilTheNextBeat) {
+  auto watchdog = Watchdog::Wanted();
+  ASSERT_TRUE(watchdog->Beat({}));
+  ExpectSlowDisk();
+  ExpectLongCall(std::chrono::hours(1));
+  ASSERT_TRUE(watchdog->Beat({}));
+  ASSERT_TRUE(watchdog->Beat({}));
+  EXPECT_THAT(manager_.Heard(), ::testing::ElementsAre("WATCHDOG_USEC=10000000\nWATCHDOG=1",
+                                                       "WATCHDOG_USEC=300000000\nWATCHDOG=1",
+                                                       "WATCHDOG_USEC=3600000000\nWATCHDOG=1",
+                                                       "WATCHDOG_USEC=10000000\nWATCHDOG=1", "WATCHDOG=1"));
+}
+
+TEST_F(WatchedService, AnotherProgramIsWaitedForAsLongAsItMayTake) {
+  auto watchdog = Watchdog::Wanted();
+  ASSERT_TRUE(watchdog->Beat({}));
+  ASSERT_TRUE(OutputOf({"/bin/true"}, 100, std::chrono::seconds(20)));
+  EXPECT_THAT(manager_.Heard(), ::testing::ElementsAre("WATCHDOG_USEC=10000000\nWATCHDOG=1",
+                                                       "WATCHDOG_USEC=30000000\nWATCHDOG=1"));
 }
 
 TEST_F(WatchedService, ACallThatTakesLongIsNotTakenForAHang) {

@@ -6,13 +6,106 @@ import sys
 import unittest
 from pathlib import Path
 
-ROOTFS = Path(sys.argv.pop(1)) / "rootfs"
+ROOT = Path(sys.argv.pop(1))
+ROOTFS = ROOT / "rootfs"
 UNITS = ROOTFS / "overlay/usr/lib/systemd/system"
+# Longer ones are no bound that anybody would wait for: of a program that runs, and of work that is done once.
+MOST_SILENT_S, MOST_WORK_S = 120, 3600
+SPANS = {"": 1, "s": 1, "sec": 1, "min": 60, "h": 3600, "ms": 0.001}
 
 
 def starts_again_at_once(unit):
     """Whether the text of a unit says so; systemd's own pause is 100 ms where it says nothing (systemd.service(5))."""
     return re.search(r"^RestartSec=0+(\.0*)?(us|ms|s|sec|min)?\s*$", unit, re.M) is not None
+
+
+def value(unit, name):
+    """The last value of this name in the text of a unit, as systemd takes it; None where there is none."""
+    found = re.findall(rf"^{name}=(.*)$", unit, re.M)
+    return found[-1].strip() if found else None
+
+
+def seconds(span):
+    """A time span of systemd.time(7) as our units write them; None where it is no bound, as `infinity` and 0 are none."""
+    match = re.fullmatch(r"(\d+(?:\.\d+)?)\s*([a-z]*)", span or "")
+    return (float(match[1]) * SPANS[match[2]] or None) if match and match[2] in SPANS else None
+
+
+def folder_of(unit):
+    """Where the sources of a unit's program lie: kaori-NAME is appliance/programs/NAME."""
+    program = re.search(r"^ExecStart=[-+]?/usr/bin/kaori-(\w+)", unit, re.M)
+    return ROOT / "appliance/programs" / program[1] if program else None
+
+
+def beats(folder):
+    """Whether some source there feeds the watchdog of the service manager."""
+    return folder is not None and any("FeedWatchdog" in source.read_text() for source in folder.rglob("*.cpp"))
+
+
+def unwatched(name, unit, comes_back=()):
+    """What keeps a hang of this unit from being noticed and ended; empty: nothing. `comes_back`: units that start it by themselves."""
+    if name.endswith(".mount"):
+        return [] if seconds(value(unit, "TimeoutSec")) else [f"{name}: TimeoutSec= is no bound"]
+    if value(unit, "Type") == "oneshot":
+        bound = seconds(value(unit, "TimeoutStartSec"))
+        return [] if bound and bound <= MOST_WORK_S else [f"{name}: TimeoutStartSec= is no bound"]
+    faults = []
+    silent = seconds(value(unit, "WatchdogSec"))
+    if not silent or not 1 <= silent <= MOST_SILENT_S:
+        faults.append(f"{name}: WatchdogSec= is no bound")
+    if value(unit, "NotifyAccess") != "main":
+        faults.append(f"{name}: NotifyAccess= is not main")
+    if value(unit, "Type") == "notify" and not seconds(value(unit, "TimeoutStartSec")):
+        faults.append(f"{name}: TimeoutStartSec= is no bound")
+    if not beats(folder_of(unit)):
+        faults.append(f"{name}: its program never beats, and would be ended again and again")
+    if value(unit, "Restart") not in ("always", "on-failure", "on-watchdog") and not comes_back:
+        faults.append(f"{name}: nobody starts it again")
+    return faults
+
+
+def starters(name):
+    """The socket that starts a unit at each call."""
+    return [file.name for file in UNITS.glob("*.socket") if file.stem == Path(name).stem]
+
+
+class Hangs(unittest.TestCase):
+    """A program of the box that hangs is ended and comes back, whichever it is."""
+
+    def test_every_unit_is_watched_or_has_a_time_in_which_it_is_done(self):
+        units = sorted([*UNITS.glob("*.service"), *UNITS.glob("*.mount")])
+        self.assertGreater(len(units), 15)
+        for unit in units:
+            self.assertEqual(unwatched(unit.name, unit.read_text(), starters(unit.name)), [])
+
+    def test_no_dropin_changes_what_the_units_say(self):
+        for file in UNITS.glob("*.d/*.conf"):
+            self.assertNotRegex(file.read_text(), r"(?m)^(WatchdogSec|WatchdogSignal|Timeout\w*Sec|NotifyAccess|Restart)=")
+
+    def test_whatever_is_missing_is_named(self):
+        good = "[Service]\nExecStart=/usr/bin/kaori-power\nRestart=always\nWatchdogSec=20\nNotifyAccess=main\n"
+        self.assertEqual(unwatched("a.service", good), [])
+        for old, new in (("WatchdogSec=20", ""), ("WatchdogSec=20", "WatchdogSec=0"), ("WatchdogSec=20", "WatchdogSec=infinity"),
+                         ("WatchdogSec=20", "WatchdogSec=10min"), ("NotifyAccess=main", ""), ("Restart=always", ""),
+                         ("Restart=always", "Restart=no"), ("kaori-power", "kaori-status"), ("/usr/bin/kaori-power", "/bin/true"),
+                         ("[Service]", "[Service]\nType=notify"), ("[Service]", "[Service]\nType=oneshot"),
+                         ("[Service]", "[Service]\nType=oneshot\nTimeoutStartSec=infinity")):
+            self.assertNotEqual(unwatched("a.service", good.replace(old, new)), [], (old, new))
+        self.assertEqual(unwatched("a.service", good.replace("Restart=always", ""), ["a.socket"]), [])
+        self.assertEqual(unwatched("a.service", "[Service]\nType=oneshot\nTimeoutStartSec=2min\n"), [])
+        self.assertNotEqual(unwatched("a.mount", "[Mount]\n"), [])
+
+    def test_hands_and_lips_and_the_face_are_ended_at_once(self):
+        for name in ("stage", "input", "lips"):
+            unit = (UNITS / f"kaori-{name}.service").read_text()
+            self.assertEqual(value(unit, "WatchdogSignal"), "SIGKILL", name)
+            self.assertEqual(value(unit, "Restart"), "always", name)
+            self.assertLessEqual(seconds(value(unit, "RestartSec")), 0.02, name)
+
+    def test_a_stage_that_hangs_in_its_start_is_not_asked_to_end_and_has_a_minute_at_most(self):
+        unit = (UNITS / "kaori-stage.service").read_text()
+        self.assertEqual(value(unit, "TimeoutStartFailureMode"), "kill")
+        self.assertLessEqual(seconds(value(unit, "TimeoutStartSec")), 60)
 
 
 class Restarts(unittest.TestCase):

@@ -15,9 +15,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
 #include "tests/system/program_runner.h"
 
@@ -31,6 +34,8 @@ using std::chrono::seconds;
 constexpr microseconds kLongestSilence = seconds(120);  // As the stage's unit says.
 constexpr microseconds kFirstSilence =
     seconds(10);  // While it does not know its pace, of a machine that has time.
+constexpr microseconds kFirstStep = seconds(60);  // While nothing is known of the machine.
+constexpr int kSlowest = 20;                      // Of its slowest turns or steps so far it may be silent.
 constexpr Duration kCalm = seconds(1);
 constexpr Duration kBusy = seconds(5);
 constexpr int kNeighbours = 4;
@@ -57,7 +62,10 @@ class ServiceManager {
   ServiceManager& operator=(const ServiceManager&) = delete;
 
   // The program has just been started.
-  void Expect() { limit_ = kLongestSilence, ready_ = false, last_ = clock_.now(); }
+  void Expect() {
+    limit_ = kLongestSilence, ready_ = false, last_ = began_ = clock_.now();
+    steps_.clear();
+  }
 
   // Reads what it says until `done`, or until the time is over. Whether `done` came true.
   template <class Condition>
@@ -75,12 +83,24 @@ class ServiceManager {
     Until([] { return false; }, length);
   }
 
+  // How long its start may take from then on, as it has said step by step; and how long it had taken until then.
+  struct Step {
+    Duration allowed{}, began_ago{};
+  };
+  const std::vector<Step>& steps() const { return steps_; }
+  Duration began_ago() const { return clock_.now() - began_; }
+
   bool ready() const { return ready_; }
   Duration limit() const { return limit_; }  // The longest silence that the program asked for.
   bool is_silent() const { return clock_.now() - last_ >= limit_; }
   double worst() const { return worst_; }  // The longest silence so far, as a share of what it had asked for.
 
  private:
+  static std::optional<Duration> ValueOf(const std::string& said, std::string_view name) {
+    const std::size_t at = said.find(name);
+    if (at == std::string::npos) return std::nullopt;
+    return microseconds(std::atoll(said.c_str() + at + name.size()));
+  }
   void Read() {
     std::array<char, 4096> bytes{};
     const ssize_t got = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
@@ -90,16 +110,16 @@ class ServiceManager {
       worst_ = std::max(worst_, Seconds(now - last_) / Seconds(limit_));
       last_ = now;
     }
-    constexpr std::string_view kAsked = "WATCHDOG_USEC=";
-    if (const std::size_t at = said.find(kAsked); at != std::string::npos)
-      limit_ = microseconds(std::atoll(said.c_str() + at + kAsked.size()));
+    if (const auto asked = ValueOf(said, "WATCHDOG_USEC=")) limit_ = *asked;
+    if (const auto more = ValueOf(said, "EXTEND_TIMEOUT_USEC=")) steps_.push_back({*more, now - began_});
     ready_ |= said.find("READY=1") != std::string::npos;
   }
 
   UniqueFd socket_;
   SteadyClock clock_;
   Duration limit_ = kLongestSilence;
-  Time last_{};
+  Time last_{}, began_{};
+  std::vector<Step> steps_;
   bool ready_ = false;
   double worst_ = 0;
 };
@@ -141,11 +161,24 @@ class WatchedStage : public ::testing::Test {
         << programs_.LogOf("kaori-stage");
   }
 
-  void StartNewStage() {
-    manager_->Expect();
+  void BeginStage() {
     programs_.Start("kaori-stage",
                     {"--links", programs_.links(), "--board", programs_.board(), "--pack",
                      (ProgramRunner::Programs().parent_path() / "shows" / "kaori.kaori").string()});
+  }
+
+  // What the stage keeps of its starts begins with how many came to no end.
+  std::string StartsInVain() const {
+    const std::string kept = ReadFile(programs_.board() + "-starts").value_or("");
+    return kept.substr(0, kept.find(' '));
+  }
+
+  // No step and no turn took longer than all of them: 20 of that, and ten seconds at least.
+  static Duration Allowed(Duration all) { return std::max<Duration>(kSlowest * all, kFirstSilence); }
+
+  void StartNewStage() {
+    manager_->Expect();
+    BeginStage();
     ASSERT_TRUE(manager_->Until([&] { return manager_->ready() && manager_->limit() < kLongestSilence; },
                                 kLongestBegin))
         << programs_.LogOf("kaori-stage");
@@ -170,7 +203,37 @@ TEST_F(WatchedStage, ThatHasJustBegunAsksForSecondsAndNotForMinutes) {
   programs_.Kill("kaori-stage");
   StartNewStage();
   EXPECT_GE(manager_->limit(), kFirstSilence);
-  EXPECT_LT(manager_->limit(), kLongestSilence / 2);
+  EXPECT_LE(manager_->limit(), Allowed(manager_->began_ago()));
+}
+
+TEST_F(WatchedStage, SaysStepByStepHowLongItsStartMayTake) {
+  programs_.Kill("kaori-stage");
+  std::filesystem::remove(programs_.board() + "-starts");
+  StartNewStage();
+  const auto& steps = manager_->steps();
+  ASSERT_GE(steps.size(), 4U);
+  EXPECT_EQ(steps.front().allowed, kFirstStep) << "nothing is known of this machine";
+  for (std::size_t n = 1; n < steps.size(); ++n) {
+    EXPECT_GE(steps[n].allowed, std::max<Duration>(kFirstSilence, n > 1 ? steps[n - 1].allowed : Duration()));
+    EXPECT_LE(steps[n].allowed, Allowed(steps[n].began_ago)) << n;
+  }
+}
+
+TEST_F(WatchedStage, ThatWasEndedInItsStartIsMorePatientInTheNext) {
+  Duration before{};
+  for (int starts = 0; starts < 2; ++starts) {
+    programs_.Kill("kaori-stage");
+    manager_->Expect();
+    BeginStage();
+    ASSERT_TRUE(manager_->Until([&] { return !manager_->steps().empty(); }, kLongestBegin));
+    ASSERT_TRUE(Await([&] { return StartsInVain() == std::to_string(starts + 1); })) << "it is counted";
+    const Duration allowed = std::exchange(before, manager_->steps().front().allowed);
+    if (starts > 0) {
+      EXPECT_EQ(before, 2 * allowed);
+    } else {
+      EXPECT_GE(before, kFirstSilence) << "it is known how long the first step of the one before took";
+    }
+  }
 }
 
 TEST_F(WatchedStage, ThatHangsIsSilentAndPlaysAgainAfterItsDeath) {

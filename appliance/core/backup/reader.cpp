@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "drivers/base/long_call.h"
 #include "drivers/base/read_full.h"
 #include "drivers/base/unique_fd.h"
 
@@ -18,7 +19,10 @@ namespace {
 class FileInput final : public Input {
  public:
   FileInput(UniqueFd fd, std::string name) : fd_(std::move(fd)), name_(std::move(name)) {}
-  Result<std::size_t> Read(std::span<std::uint8_t> into) override { return ReadFull(fd_.get(), into, name_); }
+  Result<std::size_t> Read(std::span<std::uint8_t> into) override {
+    ExpectSlowDisk();
+    return ReadFull(fd_.get(), into, name_);
+  }
 
  private:
   UniqueFd fd_;

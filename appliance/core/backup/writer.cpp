@@ -9,6 +9,7 @@
 #include "appliance/core/restore/kept.h"
 #include "appliance/core/store/choice.h"
 #include "drivers/base/folder.h"
+#include "drivers/base/long_call.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::backup {
@@ -101,6 +102,7 @@ Result<void> Writer::SumPiece() {
 }
 
 Result<void> Writer::Write(std::span<const std::uint8_t> bytes) {
+  ExpectSlowDisk();
   return WriteAll(out_.get(), bytes, name_.string());
 }
 
@@ -139,6 +141,7 @@ Result<void> Writer::CopyPiece() {
 // The kernel forgets the pages, so that what is read back comes from the stick.
 Result<void> Writer::Finish() {
   if (auto ok = Write(std::vector<std::uint8_t>(2 * kBlock_bytes)); !ok) return ok;
+  ExpectSlowDisk();
   if (::fsync(out_.get()) < 0 || ::syncfs(out_.get()) < 0) return FailErrno("write " + name_.string());
   ::posix_fadvise(out_.get(), 0, 0, POSIX_FADV_DONTNEED);
   auto input = OpenInput(name_);

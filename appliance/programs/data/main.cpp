@@ -15,6 +15,8 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/read_file.h"
@@ -52,6 +54,7 @@ constexpr const char* kFolders = "/run/kaori-data/folders";
 Result<void> AwaitKey(const std::string& board) {
   auto loop = kaori::EventLoop::Open();
   if (!loop) return tl::unexpected(loop.error());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return ok;
   const kaori::SteadyClock clock;
   kaori::Time off = clock.now();
   return loop->RunEvery(kPeriod, [&] {
@@ -83,6 +86,7 @@ Result<bool> AwaitRequest(const Settings& settings) {
   using Verdict = kaori::data::ResetRequest::Verdict;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return tl::unexpected(loop.error());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return tl::unexpected(ok.error());
   const kaori::SteadyClock clock;
   kaori::data::ResetRequest request(clock.now());
   auto verdict = Verdict::kWaiting;
@@ -106,9 +110,11 @@ Result<void> ResetWhereAsked(const Settings& settings) {
   const auto asked = AwaitRequest(settings);
   if (!asked) return tl::unexpected(asked.error());
   if (!*asked) return {};
+  kaori::ExpectSlowDisk();
   if (auto kept = kaori::WriteWholeFile(settings.reset, {}); !kept) return kept;
   kaori::LogWarning("GO was held with the service key on: the box starts again, and what it kept goes");
   SayOfReset(settings.notice, kResets);
+  kaori::ExpectLongCall();
   const auto status = kaori::RunProgram({"/bin/systemctl", "reboot"});
   if (!status) return tl::unexpected(status.error());
   return *status == 0 ? Result<void>{} : kaori::Fail(std::errc::io_error, "systemctl reboot");
@@ -116,6 +122,7 @@ Result<void> ResetWhereAsked(const Settings& settings) {
 
 // The programs that keep something find the partition when they start. The last picture stays meanwhile.
 void RestartKeepers() {
+  kaori::ExpectSlowDisk();
   for (const char* unit : {"kaori-stage.service", "kaori-lips.service", "kaori-journal.service"})
     if (const auto status = kaori::RunProgram({"/bin/systemctl", "restart", "--no-block", unit}); !status)
       kaori::LogWarning("{}", status.error().message());
@@ -126,6 +133,10 @@ bool IsMounted(const std::string& device) {
   const std::string mounts = "\n" + kaori::ReadFile("/proc/self/mounts").value_or("");
   return mounts.find("\n" + device + " ") != std::string::npos;
 }
+
+// e2fsck reads each table of the partition, three times at most, from what may be a slow card; a disk that fails takes
+// seconds for each block.
+constexpr auto kLongestMending = std::chrono::hours(1);
 
 // The file is removed last, and says until then that the mending is not done.
 Result<void> MendWhatIsNamedIn(const Settings& settings, const std::string& file) {
@@ -139,6 +150,7 @@ Result<void> MendWhatIsNamedIn(const Settings& settings, const std::string& file
   }
   kaori::Log("the service key is on: {} is mended", *device);
   if (auto made = kaori::data::MakeFolders(kFolders); !made) return made;
+  kaori::ExpectLongCall(kLongestMending);
   const auto mended = kaori::data::Mend({.device = *device, .folders = kFolders, .run = kaori::RunProgram});
   if (!mended) return tl::unexpected(mended.error());
   const std::string faults = settings.folder + "/faults";

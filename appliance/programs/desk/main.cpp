@@ -18,6 +18,7 @@
 #include "appliance/programs/shows/protocol/protocol.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/number.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
@@ -109,6 +110,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   if (auto told = AnnounceAddress(settings.address_file, (*desk)->address()); !told)
     return kaori::ExitWithError(told.error());
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(loop); !ok) return kaori::ExitWithError(ok.error());
   const auto step = [&] {
     if (KeyIsOff(settings)) return loop.Stop();
     (*desk)->Step();

@@ -7,6 +7,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/fd_keeper.h"
 #include "drivers/base/log.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/packet_socket.h"
 #include "drivers/base/program.h"
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
   kaori::service::FdKeeper keeper(*loop, std::move(*listener), kaori::service::RetrieveFd(kHeld), keep);
   if (auto open = keeper.Open(); !open) return kaori::ExitWithError(open.error());
   if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto held = loop->Run(); !held) return kaori::ExitWithError(held.error());
   return 0;
 }

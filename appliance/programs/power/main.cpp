@@ -14,6 +14,8 @@
 #include "appliance/programs/power/power_button.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/run_program.h"
@@ -66,6 +68,7 @@ void HandlePress(const Settings& settings) {
   if (auto told = kaori::WriteWholeFile(settings.notice, {kaori::AsBytes(notice)}, kReadOnly); !told)
     kaori::LogWarning("{}", told.error().message());
   if (!stops) return;
+  kaori::ExpectLongCall();
   const auto status = kaori::RunProgram({"/bin/systemctl", "poweroff"});
   if (!status || *status != 0)
     kaori::LogError("systemctl poweroff: {}", status ? std::to_string(*status) : status.error().message());
@@ -81,20 +84,19 @@ void SayHowTheLastStartEnded(kaori::power::LastStart& start) {
 }
 
 // Runs until the program is told to end, which the service manager does when the box stops.
-kaori::Result<void> ListenTo(std::vector<kaori::power::PowerButton>& buttons, const Settings& settings) {
-  auto loop = kaori::EventLoop::Open();
-  if (!loop) return tl::unexpected(loop.error());
+kaori::Result<void> ListenTo(std::vector<kaori::power::PowerButton>& buttons, const Settings& settings,
+                             kaori::EventLoop& loop) {
   for (kaori::power::PowerButton& button : buttons) {
     const auto read = [&] {
       const auto pressed = button.ReadPress();
       if (pressed && *pressed) HandlePress(settings);
       if (pressed) return;
       kaori::LogWarning("{}", pressed.error().message());
-      loop->Forget(button.fd());
+      loop.Forget(button.fd());
     };
-    if (auto watched = loop->Watch(button.fd(), read); !watched) return watched;
+    if (auto watched = loop.Watch(button.fd(), read); !watched) return watched;
   }
-  return loop->RunEvery(kNoticePeriod, [&] { ForgetNotice(settings.notice); });
+  return loop.RunEvery(kNoticePeriod, [&] { ForgetNotice(settings.notice); });
 }
 
 }  // namespace
@@ -105,12 +107,17 @@ int main(int argc, char** argv) {
   kaori::Options options(kHelp);
   options.Text("--board", settings.board).Text("--notice", settings.notice).Text("--start", settings.start);
   if (const auto status = options.Parse(argc, argv)) return *status;
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return kaori::ExitWithError(loop.error());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return kaori::ExitWithError(ok.error());
   std::vector<kaori::power::PowerButton> buttons = kaori::power::PowerButton::FindAll();
   if (buttons.empty()) kaori::Log("this machine has no power button");
   kaori::power::LastStart start(settings.start, {});
+  kaori::ExpectSlowDisk();
   if (!settings.start.empty()) SayHowTheLastStartEnded(start);
-  if (auto ran = ListenTo(buttons, settings); !ran) return kaori::ExitWithError(ran.error());
+  if (auto ran = ListenTo(buttons, settings, *loop); !ran) return kaori::ExitWithError(ran.error());
   if (settings.start.empty()) return 0;
+  kaori::ExpectSlowDisk();
   if (auto noted = start.NoteStop(); !noted) kaori::LogWarning("{}", noted.error().message());
   return 0;
 }

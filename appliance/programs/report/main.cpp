@@ -13,6 +13,8 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 
@@ -35,8 +37,13 @@ struct Settings {
 
 constexpr auto kLook = std::chrono::seconds(1);
 
+// Seconds for each evening on a machine that has time; the face may leave it next to none, and logs of a hundred evenings may
+// have no report yet.
+constexpr auto kLongestReports = std::chrono::minutes(30);
+
 // A reason is logged once, however often it is found again.
 void Make(const kaori::report::ReportPlaces& places, std::vector<std::string>& told) {
+  kaori::ExpectLongCall(kLongestReports);
   const auto made = kaori::report::MakeReports(places);
   for (const auto& file : made.files) kaori::Log("the show report is written: {}", file.string());
   for (const std::string& fault : made.faults)
@@ -81,6 +88,7 @@ int main(int argc, char** argv) {
   }
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return kaori::ExitWithError(ok.error());
   const kaori::SteadyClock clock;
   kaori::report::ReportTimes times(clock.now());
   const auto ran = loop->RunEvery(kLook, [&] {

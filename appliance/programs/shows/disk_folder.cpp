@@ -7,6 +7,7 @@
 
 #include "appliance/programs/shows/folder.h"
 #include "drivers/base/folder.h"
+#include "drivers/base/long_call.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
 
@@ -23,6 +24,7 @@ class DiskDraft final : public Draft {
   DiskDraft(UniqueFd fd, std::string name) : fd_(std::move(fd)), name_(std::move(name)) {}
 
   Result<void> Append(std::span<const std::uint8_t> bytes) override {
+    ExpectSlowDisk();
     const auto length = static_cast<off_t>(bytes.size());
     while (!bytes.empty()) {
       const ssize_t written = ::write(fd_.get(), bytes.data(), bytes.size());
@@ -35,6 +37,7 @@ class DiskDraft final : public Draft {
 
   // The kernel forgets the pages, so that whoever checks the file next reads the disk and not its memory.
   Result<void> Finish() override {
+    ExpectSlowDisk();
     if (::fsync(fd_.get()) < 0) return FailErrno("write " + name_);
     ::posix_fadvise(fd_.get(), 0, 0, POSIX_FADV_DONTNEED);
     return {};
@@ -113,6 +116,7 @@ class DiskFolder final : public Folder {
   }
 
   Result<void> KeepNames() override {
+    ExpectSlowDisk();
     const UniqueFd fd(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("write the folder " + path_.string());
     return {};

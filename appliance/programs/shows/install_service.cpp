@@ -6,6 +6,7 @@
 #include "appliance/programs/shows/offers.h"
 #include "appliance/programs/shows/support_file.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
@@ -150,6 +151,7 @@ void InstallService::OfferAll(const std::filesystem::path& stick, Time now) {
 }
 
 Result<std::size_t> InstallService::List(const std::filesystem::path& stick) {
+  ExpectSlowDisk();
   std::vector<Choosable> below = WaysBackOnBox(true);
   if (of_box_.support)
     below.push_back({.kind = Choosable::Kind::kSupport,

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "drivers/base/long_call.h"
 #include "drivers/base/read_full.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
@@ -26,7 +27,10 @@ class FileSource final : public Source {
   FileSource(UniqueFd fd, std::uint64_t bytes, std::string name)
       : fd_(std::move(fd)), bytes_(bytes), name_(std::move(name)) {}
   std::uint64_t bytes() const override { return bytes_; }
-  Result<std::size_t> Read(std::span<std::uint8_t> into) override { return ReadFull(fd_.get(), into, name_); }
+  Result<std::size_t> Read(std::span<std::uint8_t> into) override {
+    ExpectSlowDisk();
+    return ReadFull(fd_.get(), into, name_);
+  }
 
  private:
   UniqueFd fd_;

@@ -27,6 +27,8 @@
 #include "appliance/programs/shows/trial.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/read_file.h"
@@ -92,14 +94,6 @@ std::optional<kaori::shows::DeskLink> OpenDesk(const Settings& settings) {
   if (desk) return std::move(*desk);
   kaori::LogWarning("the desk cannot show the list: {}", desk.error().message());
   return std::nullopt;
-}
-
-// Where a trial keeps the shaders that it compiles: whoever it is run as makes files there, as in /tmp. No
-// other program of the box may write to /run.
-void MakeTrialFolder(const std::string& report) {
-  std::error_code none;
-  fs::create_directories(fs::path(report) / "trial", none);
-  fs::permissions(fs::path(report) / "trial", fs::perms::all | fs::perms::sticky_bit, none);
 }
 
 // A box's settings lie in the folder above that of its keys.
@@ -213,7 +207,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   std::error_code none;
   for (const std::string& folder : {settings.shows, settings.report, settings.stick})
     fs::create_directories(folder, none);
-  MakeTrialFolder(settings.report);
+  kaori::shows::MakeTrialFolder(settings.report);
   const auto folder = kaori::shows::OpenFolder(settings.shows);
   kaori::shows::Sticks sticks(settings.stick);
   const auto look = [&]() -> kaori::Result<std::optional<fs::path>> {
@@ -228,6 +222,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   };
   const auto wanted = [&] {
     running->KeepAlive(clock.now());
+    kaori::ExpectLongCall();  // A trial takes minutes, and asks this ten times a second.
     return is_open();
   };
   const auto plays = kaori::store::PlayLogBeside(settings.board);
@@ -251,6 +246,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
     service.Step(clock.now());
   };
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(loop); !ok) return kaori::ExitWithError(ok.error());
   kaori::Log("the service key is on: shows can be brought in");
   const auto ran = loop.RunEvery(kaori::shows::InstallService::kPeriod, step);
   fs::remove(fs::path(settings.report) / "lines", none);

@@ -8,6 +8,7 @@
 
 #include "appliance/core/restore/plan.h"
 #include "drivers/base/folder.h"
+#include "drivers/base/long_call.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori::shows {
@@ -24,6 +25,7 @@ Result<void> RenameOnDisk(const fs::path& from, const fs::path& to) {
 
 // Returns once all that was written to the folder's disk is on it.
 Result<void> KeepDisk(const fs::path& folder) {
+  ExpectSlowDisk();
   const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!fd.valid() || ::syncfs(fd.get()) < 0) return FailErrno("write " + folder.string());
   return {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/base/long_call.h"
 #include "drivers/base/root_disk.h"
 
 namespace kaori::shows {
@@ -64,6 +65,7 @@ std::vector<std::string> FindSticks(const fs::path& blocks) {
 // Read-only until somebody asks for a file: a stick is nobody's to change, and its owner may pull it at any
 // moment. exFAT first: its driver refuses FAT's boot sector and the other way round.
 Result<StickMount> StickMount::Make(const std::string& device, const fs::path& at) {
+  ExpectSlowDisk();
   int failed = EINVAL;
   for (const char* kind : {"exfat", "vfat"}) {
     if (::mount(device.c_str(), at.c_str(), kind, kSafe | MS_RDONLY, nullptr) == 0) return StickMount(at);
@@ -74,6 +76,7 @@ Result<StickMount> StickMount::Make(const std::string& device, const fs::path& a
 }
 
 Result<void> StickMount::SetWritable(bool writable) {
+  ExpectSlowDisk();  // What was written is on the stick when it is closed.
   const unsigned long flags = MS_REMOUNT | kSafe | (writable ? 0 : MS_RDONLY);
   if (::mount(nullptr, at_.c_str(), nullptr, flags, nullptr) == 0) return {};
   return FailErrno(writable ? "write on the stick" : "close the stick");

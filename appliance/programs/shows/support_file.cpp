@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "drivers/base/long_call.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
@@ -18,6 +19,7 @@ Result<void> WriteOnce(const std::string& file, const std::string& text) {
   const UniqueFd fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (!fd.valid()) return FailErrno("write " + file);
   if (auto ok = WriteAll(fd.get(), AsBytes(text), file); !ok) return ok;
+  ExpectSlowDisk();
   if (::fsync(fd.get()) < 0 || ::syncfs(fd.get()) < 0) return FailErrno("write " + file);
   ::posix_fadvise(fd.get(), 0, 0, POSIX_FADV_DONTNEED);  // It is read back from the stick, not from memory.
   return {};

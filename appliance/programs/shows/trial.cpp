@@ -189,6 +189,13 @@ Result<void> KeepRightsToOurselves() {
   return {};
 }
 
+void MakeTrialFolder(const std::filesystem::path& report) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  fs::create_directories(report / "trial", none);
+  fs::permissions(report / "trial", fs::perms::all | fs::perms::sticky_bit, none);
+}
+
 Result<void> TryPack(const std::string& stage, const std::filesystem::path& pack, const TrialTerms& terms) {
   auto child = Spawn(stage, pack.string(), terms.user);
   if (!child) return tl::unexpected(child.error());

@@ -33,6 +33,10 @@ Result<TrialUser> FindUser(const std::string& name);
 // and setgroups(2).
 Result<void> KeepRightsToOurselves();
 
+// Makes the folder `trial` in `report`, where a trial keeps the shaders that it compiles: whoever it is run as makes files
+// there, as in /tmp. No other program of the box may write to /run. A trial without it is slower.
+void MakeTrialFolder(const std::filesystem::path& report);
+
 // How a trial is run.
 struct TrialTerms {
   Duration longest = kLongestTrial;

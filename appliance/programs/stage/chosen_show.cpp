@@ -40,6 +40,7 @@ show::LoadOptions OptionsFor(const std::string& id, const ShowPlaces& places) {
 
 Result<ChosenShow> Load(const std::string& id, const ShowPlaces& places, bool is_doubted = false) {
   auto pack = store::PackOf(id, places.shows, places.root_pack);
+  if (places.before_reading && (is_doubted || id != store::kRootShow)) places.before_reading(pack);
   if (is_doubted)
     if (auto ok = places.read_through(pack); !ok) return tl::unexpected(ok.error());
   auto whole = show::LoadPackWithKeys(pack, OptionsFor(id, places));

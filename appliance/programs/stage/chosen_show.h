@@ -31,6 +31,9 @@ struct ShowPlaces {
   show::LoadOptions of_root{};        // How the root's own pack is opened.
   // Whether a disk gives all of a file, before it is mapped; a test has another one.
   std::function<Result<void>(const std::filesystem::path&)> read_through = ReadThrough;
+  // Called before all of a file is read, which can take long: of each but the root's, and of that where it is in doubt.
+  // Null: nobody is told.
+  std::function<void(const std::filesystem::path&)> before_reading{};
 };
 
 // A show that was read, and where.

@@ -3,10 +3,11 @@
 // One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and five that write the last face,
 // the journal of the needles, the list of screens, the show log, and what is taught; the frame path waits for none of them.
 //
-// The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for, and watches the
-// loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at any moment is started anew and goes on
-// from the state on the board, while the fd keeper keeps the last picture on the screen. It ends with status 1 where the show, the
-// board, GL or the card cannot be had, and with 2 where it is misused; a screen that is missing never ends it.
+// The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for. It watches the steps
+// of the start until then (service::StartWatch), and from then on the loop (service::Watchdog). A stage that is killed at any
+// moment is started anew and goes on from the state on the board, while the fd keeper keeps the last picture on the screen. It
+// ends with status 1 where the show, the board, GL or the card cannot be had, and with 2 where it is misused; a screen that is
+// missing never ends it.
 #include <ctime>
 #include <future>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "appliance/programs/stage/chosen_show.h"
 #include "appliance/programs/stage/evening.h"
 #include "appliance/programs/stage/last_face.h"
+#include "appliance/programs/stage/loading.h"
 #include "appliance/programs/stage/quality_choice.h"
 #include "appliance/programs/stage/rehearsal.h"
 #include "appliance/programs/stage/screen_session.h"
@@ -33,6 +35,7 @@
 #include "drivers/base/loop_watchdog.h"
 #include "drivers/base/program.h"
 #include "drivers/base/service.h"
+#include "drivers/base/start_watch.h"
 #include "drivers/scanout/kms_card.h"
 #include "drivers/scanout/kms_mode.h"
 #include "drivers/scanout/local_screen.h"
@@ -79,37 +82,6 @@ kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop)
   return kaori::Fail(std::errc::no_such_device, "find a graphics card");
 }
 
-// What the loading thread hands over: the editor has appended its expressions to the show before it is
-// prepared.
-struct Loaded {
-  std::unique_ptr<kaori::editor::ExpressionEditor> editor;
-  kaori::stage::OwnRoles own_roles;
-  std::unique_ptr<kaori::stage::PreparedShow> show;
-  kaori::showlog::LogHead log_head;  // Made where a log is wanted: it takes a checksum of the whole program.
-  std::filesystem::path pack;
-  std::uint64_t generation = 0;
-  bool another = false;
-};
-
-// Keys that were brought to the box lie beside its shows, and what became of each show beside the board, in
-// memory.
-kaori::Result<kaori::stage::ShowPlaces> PlacesOf(const Settings& settings) {
-  auto options = kaori::show::LoadOptionsOf(settings.trust, settings.verified);
-  if (!options) return tl::unexpected(options.error());
-  const std::filesystem::path shows = settings.shows, board = settings.board;
-  return kaori::stage::ShowPlaces{.root_pack = settings.pack,
-                                  .shows = shows,
-                                  .keys = shows.parent_path() / "settings" / "keys",
-                                  .play_log = kaori::store::PlayLogBeside(board),
-                                  .chosen = settings.chosen,
-                                  .key_files = settings.keys,
-                                  .of_root = std::move(*options)};
-}
-
-std::filesystem::path OwnFolder(const Settings& settings) {
-  return settings.own.empty() ? kaori::editor::UsualFolder() : std::filesystem::path(settings.own);
-}
-
 // None where nobody says where, or where the disk refuses: an evening without a log is played.
 std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kaori::showlog::LogHead& head) {
   if (settings.log.empty()) return nullptr;
@@ -117,27 +89,6 @@ std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kao
   if (log) return std::move(*log);
   kaori::LogWarning("this evening has no show log: {}", log.error().message());
   return nullptr;
-}
-
-// Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a
-// graphics card.
-kaori::Result<Loaded> LoadShow(const Settings& settings, const kaori::stage::ShowPlaces& places) {
-  auto chosen = kaori::stage::LoadChosen(places, kaori::SteadyClock().now());
-  if (!chosen) return tl::unexpected(chosen.error());
-  auto& show = chosen->show;
-  kaori::Log("{} is read", show.name);
-  const std::filesystem::path own = OwnFolder(settings);
-  auto own_roles = kaori::stage::OwnRolesOver(show, own / "roles.toml");
-  kaori::stage::LayOverRoles(own_roles, show);
-  auto editor = kaori::editor::ExpressionEditor::Open(own, show);
-  kaori::showlog::LogHead head;
-  if (!settings.log.empty())
-    head = kaori::stage::HeadOfLog(kaori::stage::ShowMark(chosen->pack).value_or(0), own / "roles.toml",
-                                   kaori::SteadyClock().now());
-  return Loaded{
-      std::move(editor), std::move(own_roles), std::make_unique<kaori::stage::PreparedShow>(std::move(show)),
-      std::move(head),   chosen->pack,         chosen->generation,
-      chosen->another};
 }
 
 // None where nobody says where; else what was kept there before is taken up.
@@ -158,13 +109,16 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(
 struct Prepared {
   std::unique_ptr<kaori::scanout::KmsCard> card;  // Null: as CardOf says.
   std::unique_ptr<kaori::gl::Context> context;
-  Loaded show;
+  kaori::stage::Loaded show;
 };
 
 // The show is loaded on another thread beside Mesa, which takes about as long; all else is this thread's.
-kaori::Result<Prepared> Prepare(const Settings& settings, const kaori::stage::ShowPlaces& places) {
-  std::optional<kaori::Result<Loaded>> loaded;  // GCC 12 warns where a future carries it.
-  auto loading = std::async(std::launch::async, [&] { loaded.emplace(LoadShow(settings, places)); });
+// It is the first step of the start.
+kaori::Result<Prepared> Prepare(const Settings& settings, const kaori::stage::ShowPlaces& places,
+                                kaori::service::StartWatch& start) {
+  std::optional<kaori::Result<kaori::stage::Loaded>> loaded;  // GCC 12 warns where a future carries it.
+  auto loading =
+      std::async(std::launch::async, [&] { loaded.emplace(kaori::stage::LoadShow(settings, places)); });
   auto card = CardOf(settings);
   if (card && *card) kaori::Log("the graphics card is open");
   auto context = card.and_then(
@@ -175,17 +129,19 @@ kaori::Result<Prepared> Prepare(const Settings& settings, const kaori::stage::Sh
     kaori::stage::NoteOrderlyEnd(places);  // Another show would not find a card either.
     return tl::unexpected(context.error());
   }
+  start.Step();
   return Prepared{std::move(*card), std::move(*context), std::move(**loaded)};
 }
 
 // Once the first picture is shown: it stays from now on, whatever ends the stage, and the service manager
 // watches the loop. `card` is null where there is none. Errors: those of the watchdog's timer.
 kaori::Result<void> BecomeReady(kaori::scanout::KmsCard* card, const kaori::stage::Stage& stage,
-                                kaori::EventLoop& loop) {
+                                kaori::service::StartWatch& start, kaori::EventLoop& loop) {
+  start.Step();
   if (card != nullptr)
     if (auto held = card->Preserve(); !held)
       kaori::LogWarning("the last picture will not stay when the stage ends ({})", held.error().message());
-  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
+  start.Ready();
   return kaori::service::FeedWatchdog(loop, [&stage] { return stage.usual_turn(); });
 }
 
@@ -217,34 +173,40 @@ kaori::Result<void> PlayOn(kaori::stage::Stage& stage, kaori::board::Board& boar
   return loop.Run();
 }
 
+// What a stage needs before its first step, of what was loaded; all of it is the stage's from here on.
+void Furnish(kaori::stage::Stage& stage, kaori::stage::Loaded& loaded, kaori::stage::LoggedEvening& evening) {
+  stage.SetEditor(std::move(loaded.editor));
+  stage.LetTeach(std::move(loaded.own_roles));
+  stage.SetLocalTime([] { return kaori::stage::WeekMinute(std::time(nullptr)); });
+  if (evening.play) stage.PlayOver(std::move(evening.play));
+}
+
 // The writers are acquired before the show is loaded, so that a second stage ends at once and notes no show.
 // Once the first picture is shown the card is handed to the fd keeper, so that the picture stays when the
 // stage ends in whatever way. The last face is kept when the loop has ended.
-int Play(const Settings& settings, kaori::EventLoop& loop) {
+int Play(const Settings& settings, kaori::service::StartWatch& start, kaori::EventLoop& loop) {
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::stage::StageWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
-  const auto places = PlacesOf(settings);
+  const auto places = kaori::stage::PlacesOf(settings);
   if (!places) return kaori::ExitWithError(places.error());
-  auto prepared = Prepare(settings, *places);
+  auto prepared = Prepare(settings, *places, start);
   if (!prepared) return kaori::ExitWithError(prepared.error());
   auto& [card, context, loaded] = *prepared;
   const auto studio = kaori::stage::Studio::Open(std::move(loaded.show), std::move(context));
   if (!studio) return kaori::ExitWithError(studio.error());
+  start.Step();
   const auto quality = kaori::stage::ChooseQuality(**studio, settings.quality);
   kaori::stage::StillClock clock(!settings.still.empty());
-  auto evening = kaori::stage::OpenEvening(settings.evening, loaded.pack, OwnFolder(settings) / "roles.toml",
-                                           (*studio)->show());
+  auto evening = kaori::stage::OpenEvening(
+      settings.evening, loaded.pack, kaori::stage::OwnFolder(settings) / "roles.toml", (*studio)->show());
   if (!evening) return kaori::ExitWithError(evening.error());
   if (loaded.another)  // What lies on the board is the state of the show before.
     writers->performance.Write({}, clock.now(), kaori::board::SourceState::kAbsent);
   auto last_face = LastFaceOf(settings, loaded.pack, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
-  stage.SetEditor(std::move(loaded.editor));
-  stage.LetTeach(std::move(loaded.own_roles));
-  stage.SetLocalTime([] { return kaori::stage::WeekMinute(std::time(nullptr)); });
-  if (evening->play) stage.PlayOver(std::move(evening->play));
+  Furnish(stage, loaded, *evening);
   const auto log = LogOf(settings, loaded.log_head);
   if (log) stage.SetLog(&log->recorder());
   if (last_face)
@@ -252,6 +214,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
         [&](const auto& state, const auto& scene, auto now) { last_face->Observe(state, scene, now); });
   kaori::Log("{} is {} on {}; quality {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer(), quality);
+  start.Step();
   auto alarm = kaori::Alarm::Make();
   if (!alarm) return kaori::ExitWithError(alarm.error());
   if (!settings.early) stage.SampleLate();
@@ -264,7 +227,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   clock.LetGo();
   if (auto ok = WriteStills(**studio, kaori::stage::StillFilesOf(settings), loop); !ok)
     return kaori::ExitWithError(ok.error());
-  if (auto ok = BecomeReady(card.get(), stage, loop); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = BecomeReady(card.get(), stage, start, loop); !ok) return kaori::ExitWithError(ok.error());
   const kaori::status::Places said{settings.settings,
                                    std::filesystem::path(settings.board).parent_path() / "screens"};
   kaori::stage::StageStatusDisplay status(*board, clock, said);
@@ -296,5 +259,7 @@ int main(int argc, char** argv) {
   }
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
-  return Play(settings, *loop);
+  const kaori::SteadyClock clock;
+  kaori::service::StartWatch start(clock, settings.board + "-starts");
+  return Play(settings, start, *loop);
 }

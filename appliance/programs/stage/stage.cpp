@@ -13,7 +13,7 @@
 #include "appliance/programs/stage/service_display.h"
 #include "appliance/programs/stage/show_now.h"
 #include "drivers/base/log.h"
-#include "drivers/base/service.h"
+#include "drivers/base/start_watch.h"
 
 namespace kaori::stage {
 namespace {
@@ -127,15 +127,14 @@ std::optional<Time> Stage::wakes_at() const {
   return screen_ && plan_ ? std::optional(plan_->begin) : std::nullopt;
 }
 
-// The first frames compile shaders, and say little of those that follow.
+// The first frames compile shaders, and say little of those that follow. The limits are those of the steps of the start.
 Duration Stage::usual_turn() const {
-  constexpr int kSlowestTurns = 20;
-  constexpr Duration kLeastSilence = std::chrono::seconds(10);
   constexpr int kPatientTurns = service::Watchdog::kPatientTurns;
   if (frame_ == 0) return {};
-  if (frame_ >= kFirstFrames) return pacer_.usual();
-  const Duration silence = std::max(slowest_turn_ * kSlowestTurns, kLeastSilence);
-  return (silence + Duration(kPatientTurns - 1)) / kPatientTurns;  // Rounded up.
+  const Duration silence =
+      std::max(slowest_turn_ * service::StartWatch::kPatientSteps, service::StartWatch::kLeast);
+  const Duration most = (silence + Duration(kPatientTurns - 1)) / kPatientTurns;  // Rounded up.
+  return frame_ >= kFirstFrames ? std::min(pacer_.usual(), most) : most;
 }
 
 // The plan stands until its frame is drawn: a late waking is late, and not a plan for another blank.
@@ -169,7 +168,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   Report(snapshot, CpuOfProcess() - cpu_before);
   if (after_frame_) after_frame_(state_, scene, clock_.now());
   if (frame_ > 1 && studio_.Prepare()) Log("all drawing is rehearsed");
-  if (frame_ <= kFirstFrames) slowest_turn_ = std::max(slowest_turn_, clock_.now() - now);
+  slowest_turn_ = std::max(slowest_turn_, clock_.now() - now);
   return {};
 }
 

@@ -110,7 +110,7 @@ class Stage {
 
   // How long a frame usually takes, for the watchdog; 0 before the first. Until 100 were drawn, which may
   // compile shaders, it is so much that the watchdog waits for 20 of the slowest so far, and for ten seconds
-  // at least.
+  // at least; it never waits for longer than that afterwards.
   Duration usual_turn() const;
 
   // True where it goes on from the state of an earlier stage.
@@ -173,7 +173,7 @@ class Stage {
   std::optional<FramePacer::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
   // Number of the newest frame that was presented, counted from 1 since this stage began.
   std::uint64_t frame_ = 0;
-  Duration slowest_turn_{};  // Of the first frames.
+  Duration slowest_turn_{};  // Of all so far.
   // When the input was sampled for that frame.
   Time read_{};
   MouthClock mouth_clock_;

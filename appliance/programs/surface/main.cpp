@@ -21,6 +21,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/log.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/hid/hidraw_bus.h"
@@ -212,6 +213,7 @@ int Serve(const Settings& settings, kaori::ports::HidBus& bus, kaori::EventLoop&
     }
     service.Step(box, now);
   };
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kServiceStep, step); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }

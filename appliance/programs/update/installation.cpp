@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/base/long_call.h"
+
 namespace kaori::update {
 namespace {
 
@@ -18,6 +20,7 @@ class FileSource final : public Source {
   FileSource(UniqueFd fd, std::uint64_t bytes) : fd_(std::move(fd)), bytes_(bytes) {}
   std::uint64_t bytes() const override { return bytes_; }
   Result<void> Read(std::uint64_t at, std::span<std::uint8_t> into) override {
+    ExpectSlowDisk();
     while (!into.empty()) {
       const ssize_t got = ::pread(fd_.get(), into.data(), into.size(), static_cast<off_t>(at));
       if (got < 0 && errno == EINTR) continue;

@@ -12,12 +12,16 @@
 
 #include "appliance/core/board/face_pace.h"
 #include "appliance/core/update/caller.h"
+#include "appliance/programs/update/looking.h"
 #include "appliance/programs/update/looks.h"
+#include "appliance/programs/update/restart.h"
 #include "appliance/programs/update/running.h"
 #include "appliance/programs/update/service.h"
 #include "appliance/programs/update/trial.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/long_call.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/packet_socket.h"
 #include "drivers/base/program.h"
@@ -48,6 +52,7 @@ constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk
   --still FILE       a picture of the show's first face (/usr/share/kaori/still.ppm)
   --last-face FILE   the last face (/var/lib/kaori/own/last-face)
   --board FILE       the board, by which an update rests where it costs the face pictures (/run/kaori/board)
+  --systemctl PROGRAM  asks the service manager how the programs do, and for a restart (/bin/systemctl)
   --install FILE     instead: brings this file in, says how it went, and ends
   --other FILE       instead: tries the disk's other system, once, for the reason in this file
 )";
@@ -59,7 +64,7 @@ struct Settings {
                       keys = "/usr/share/kaori/update-keys", slot = "/run/kaori-profile/slot",
                       said = "/run/kaori-update", picture = "/run/kaori/look.ppm",
                       still = "/usr/share/kaori/still.ppm", last_face = "/var/lib/kaori/own/last-face",
-                      board = "/run/kaori/board", install, other;
+                      board = "/run/kaori/board", systemctl = "/bin/systemctl", install, other;
   bool confirm = false;
   kaori::loader::BoxDisk disk;
 };
@@ -81,14 +86,6 @@ kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::por
   });
 }
 
-// The service manager stops the programs in order, so that the last face is kept. Returns when it was told, and the machine
-// ends a moment later.
-void Restart() {
-  const auto status = kaori::RunProgram({"/bin/systemctl", "reboot"});
-  if (!status || *status != 0)
-    kaori::LogError("systemctl reboot: {}", status ? std::to_string(*status) : status.error().message());
-}
-
 // A file that holds no key is named, and the others count; where nothing can be read nobody is trusted.
 kaori::show::PublicKeys KeysOf(const Settings& settings) {
   std::vector<std::string> faults;
@@ -103,7 +100,7 @@ kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running&
           .keys = [&settings] { return KeysOf(settings); },
           .open_disk = [&settings, running] { return OpenDisk(settings, running.slot); },
           .open_choice = [&settings, running] { return OpenBootChoice(settings.disk, running.slot); },
-          .restart = Restart,
+          .restart = [&settings] { kaori::update::RestartMachine(settings.systemctl); },
           .may_work = kaori::board::PaceByBoardAt(settings.board)};
 }
 
@@ -125,7 +122,7 @@ std::string PictureOf(const std::string& file) {
 // whoever stands before the box, and by whoever made the update.
 // Looks at everything once. `seen` is when the picture of the look before was made: a stage that hangs makes no new one.
 std::string FaultNow(const Settings& settings, fs::file_time_type& seen) {
-  std::vector<std::string> ask{"/bin/systemctl", "show", "--property=Id,ActiveState,NRestarts"};
+  std::vector<std::string> ask{settings.systemctl, "show", "--property=Id,ActiveState,NRestarts"};
   ask.insert(ask.end(), kPrograms.begin(), kPrograms.end());
   const auto programs = kaori::OutputOf(ask, kMostLog_bytes, kLongestAnswer);
   if (!programs) return programs.error().message();
@@ -150,42 +147,56 @@ void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict,
   }
   const auto log = kaori::OutputOf({"/bin/journalctl", "-b", "--no-pager", "-o", "short-monotonic"},
                                    kMostLog_bytes, kLongestAnswer);
+  kaori::ExpectSlowDisk();
   if (auto kept = GiveWay(notes, reason, log.value_or("")); !kept)
     kaori::LogWarning("{}", kept.error().message());
   kaori::LogError("this version gives way to the one before: {}", reason);
-  Restart();
+  kaori::update::RestartMachine(settings.systemctl);
+}
+
+fs::path LookFile(const Settings& settings) {
+  return fs::path(settings.said) / "looking";
 }
 
 // The stage makes pictures of what it shows as long as `wanted` is there.
 int LookOn(const Settings& settings, kaori::ports::BootChoice& choice, kaori::update::Notes& notes,
-           std::uint32_t version) {
+           std::uint32_t version, kaori::EventLoop& loop) {
   NoteStart(notes);
+  kaori::update::BeginLook(LookFile(settings));
   const kaori::SteadyClock clock;
   kaori::update::Confirmation confirmation(clock.now());
   fs::file_time_type seen{};
   const fs::path wanted = fs::path(settings.said) / "wanted";
   if (auto told = kaori::WriteWholeFile(wanted, {}); !told) kaori::LogWarning("{}", told.error().message());
-  auto loop = kaori::EventLoop::Open();
-  if (!loop) return kaori::ExitWithError(loop.error());
   const auto look = [&] {
     const auto verdict = confirmation.Observe(FaultNow(settings, seen), clock.now());
     if (verdict == kaori::update::Confirmation::Verdict::kLooking) return;
     End(settings, verdict, confirmation.reason(), choice, notes, version);
-    loop->Stop();
+    loop.Stop();
   };
-  const auto ran = loop->RunEvery(kLookPeriod, look);
+  const auto ran = loop.RunEvery(kLookPeriod, look);
   std::error_code none;
   fs::remove(wanted, none);
   return ran ? 0 : kaori::ExitWithError(ran.error());
 }
 
+// A look that hung is never made again: nobody could say when it ends.
 int Confirm(const Settings& settings, const kaori::update::Running& running) {
+  const int in_vain = kaori::update::LooksInVain(LookFile(settings));
+  if (in_vain > 1) return kaori::update::RestartMachine(settings.systemctl, kaori::update::Stop::kAtOnce), 0;
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return kaori::ExitWithError(loop.error());
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return kaori::ExitWithError(ok.error());
   const auto notes = kaori::update::OpenNotes(settings.notes);
   auto choice = OpenBootChoice(settings.disk, running.slot);
   if (!choice) return kaori::ExitWithError(choice.error());
   const auto found = AfterStart(**choice, *notes);
   if (found.message != Message::kNothingWaits) TellStatus(settings, found);
-  return found.message == Message::kLooking ? LookOn(settings, **choice, *notes, found.version) : 0;
+  if (found.message != Message::kLooking) return 0;
+  if (in_vain == 0) return LookOn(settings, **choice, *notes, found.version, *loop);
+  End(settings, kaori::update::Confirmation::Verdict::kGivesWay, kaori::update::kVainLook, **choice, *notes,
+      found.version);
+  return 0;
 }
 
 // The stage takes the file away when it has read a show after all.
@@ -206,7 +217,7 @@ int TryOtherSystem(const Settings& settings, const kaori::update::Running& runni
                   reason.substr(0, reason.find('\n')));
   const auto begun = TryOther(**choice, *notes);
   TellStatus(settings, begun);
-  if (begun.message == Message::kRestarts) Restart();
+  if (begun.message == Message::kRestarts) kaori::update::RestartMachine(settings.systemctl);
   return 0;
 }
 
@@ -247,6 +258,7 @@ int Serve(const Settings& settings, const kaori::update::Running& running) {
     service.Step(clock.now());
     if (settings.socket.empty() && service.IsIdle(clock.now())) loop->Stop();
   };
+  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return kaori::ExitWithError(ok.error());
   const auto ran = loop->RunEvery(kaori::update::UpdateService::kPeriod, step);
   return ran ? 0 : kaori::ExitWithError(ran.error());
 }
@@ -271,6 +283,7 @@ int main(int argc, char** argv) {
       .Text("--still", settings.still)
       .Text("--last-face", settings.last_face)
       .Text("--board", settings.board)
+      .Text("--systemctl", settings.systemctl)
       .Text("--install", settings.install)
       .Text("--other", settings.other);
   if (const auto status = options.Parse(argc, argv)) return *status;

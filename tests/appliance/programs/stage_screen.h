@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "drivers/base/clock.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/ports/scanout.h"
 
@@ -18,6 +19,8 @@ struct ScreenHand {
   int height_px = 36;
   bool plugged = true;
   std::uint64_t presented = 0;  // The number of the last frame.
+  Duration takes{};             // So much of this clock's time a frame takes until it is presented.
+  ManualClock* clock = nullptr;
   std::optional<ports::Flip> flip;
   std::vector<std::uint8_t> picture = std::vector<std::uint8_t>(512 * 512 * 4);
 
@@ -44,6 +47,7 @@ class HeldScreen final : public ports::Scanout {
   Result<void> Present(std::uint64_t frame) override {
     if (!hand_.plugged) return Gone();
     hand_.presented = frame;
+    if (hand_.clock != nullptr) hand_.clock->Advance(hand_.takes);
     return {};
   }
 

@@ -1,0 +1,37 @@
+#include "appliance/programs/update/looking.h"
+
+#include <algorithm>
+#include <string>
+
+#include "drivers/base/log.h"
+#include "drivers/base/number.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
+
+namespace kaori::update {
+namespace {
+
+// Further ones are as many.
+constexpr int kMostLooks = 9;
+
+void Note(const std::filesystem::path& file, int looks) {
+  if (auto noted = WriteWholeFile(file, {AsBytes(std::to_string(looks))}); !noted)
+    LogWarning("{}", noted.error().message());
+}
+
+}  // namespace
+
+void BeginLook(const std::filesystem::path& file) {
+  Note(file, 1);
+}
+
+// A file that is there and says nothing is of one look at least.
+int LooksInVain(const std::filesystem::path& file) {
+  const auto text = ReadFile(file);
+  if (!text) return 0;
+  const int looks = std::clamp(ParseNumber<int>(*text).value_or(1), 1, kMostLooks);
+  Note(file, std::min(looks + 1, kMostLooks));
+  return looks;
+}
+
+}  // namespace kaori::update
