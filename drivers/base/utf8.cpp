@@ -16,8 +16,6 @@ struct Lead {
   std::size_t bytes;
   char32_t least;
 };
-// By the number of bytes: which bits of the first byte tell it, how they stand, the length, and the smallest
-// code that needs so many (RFC 3629, section 3). A smaller code in this form is refused.
 constexpr Lead kLeads[] = {
     {0x80, 0x00, 1, 0}, {0xE0, 0xC0, 2, 0x80}, {0xF0, 0xE0, 3, 0x800}, {0xF8, 0xF0, 4, 0x10000}};
 

@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (!kaori::stage::IsQualityWish(settings.quality)) {
-    kaori::LogError("--quality {}: expected auto, basic, fine or finest", settings.quality);
+    kaori::LogError("{}", kaori::stage::NoQualityWish(settings.quality));
     return 2;
   }
   const auto size = kaori::ParseSize(settings.size);

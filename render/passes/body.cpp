@@ -60,6 +60,12 @@ class Mixture {
   std::size_t count_ = 0;
 };
 
+// Of fine_skin.glsl; a program of basic quality has none of them.
+void BindFineSamplers(const gl::Program& program) {
+  program.BindSampler("depths", kDepthsUnit);
+  program.BindSampler("pores", kPoresUnit);
+}
+
 // Fewer than this much of a face is not seen in the skin's colour.
 constexpr float kUnseen = 1.0F / 512;
 
@@ -76,8 +82,7 @@ Result<void> BodyPass::AddVariant(int textures, Quality quality) {
   v.weights = v.program.Find("weights");
   v.scatter = v.program.Find("scatter");
   for (int i = 0; i < textures; ++i) v.program.BindSampler(fmt::format("texture{}", i).c_str(), i);
-  v.program.BindSampler("depths", kDepthsUnit);
-  v.program.BindSampler("pores", kPoresUnit);
+  BindFineSamplers(v.program);
   v.program.BindSampler("scattered", kScatteredUnit);
   return {};
 }
@@ -89,8 +94,7 @@ Result<void> BodyPass::AddFine() {
   auto light = MakeProgram("body.vert", "body_light.frag", "#define BY_PIXEL\n");
   if (!light) return tl::unexpected(light.error());
   light_.surface = light->Find("surface");
-  light->BindSampler("depths", kDepthsUnit);
-  light->BindSampler("pores", kPoresUnit);
+  BindFineSamplers(*light);
   light_.program = std::move(*light);
   pores_ = MakePores();
   return {};
@@ -148,6 +152,11 @@ float BodyPass::ScatterOf(const face::Terms& faces) const {
   return std::clamp(answer.x * (1 - answer.y), 0.0F, 1.0F);
 }
 
+void BodyPass::BindFine(const gl::DepthMap& depths) const {
+  depths.Bind(kDepthsUnit);
+  pores_.Bind(kPoresUnit);
+}
+
 // Softness and metal are blended as numbers, paint in the shader.
 void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed,
                     const gl::DepthMap* depths, const ScatterPass* scattered) {
@@ -160,10 +169,7 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
   for (const auto& share : used)
     Skin(share.texture);  // Loading one binds it; so all before the first is bound.
   for (unsigned unit = 0; unit < used.size(); ++unit) Skin(used[unit].texture).Bind(unit);
-  if (depths != nullptr) {
-    depths->Bind(kDepthsUnit);
-    pores_.Bind(kPoresUnit);
-  }
+  if (depths != nullptr) BindFine(*depths);
   if (scattered != nullptr) scattered->Bind(kScatteredUnit);
   gl::Apply({});
   variant.program.Use();
@@ -176,8 +182,7 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
 
 // Hair and clothes hide nothing here: what they cover is drawn over by them.
 void BodyPass::DrawLight(const Surface& surface, const face::Shape& shape, const gl::DepthMap& depths) const {
-  depths.Bind(kDepthsUnit);
-  pores_.Bind(kPoresUnit);
+  BindFine(depths);
   gl::Apply({});
   light_.program.Use();
   gl::Program::Set(light_.surface, AnswerOf(shape.faces));

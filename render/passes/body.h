@@ -65,6 +65,8 @@ class BodyPass {
     // Softness, metal.
     glm::vec2 surface{};
   };
+  // What the fine quality looks up besides skins.
+  void BindFine(const gl::DepthMap& depths) const;
   // Of the faces of a shape, by weight.
   glm::vec2 AnswerOf(const face::Terms& faces) const;
   // `textures`: 1, 2 or 4.

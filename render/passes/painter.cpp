@@ -14,8 +14,6 @@ using scene::Style;
 // In the order in which they are laid: later ones over earlier ones.
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
-// A quarter of a step of 8 bits: nobody sees what has less weight.
-constexpr float kPainterUnseen = 1.0F / 1024;
 constexpr float kPainterWhole = 1 - kPainterUnseen;
 
 // Behind glowing lines the stage is darker.

@@ -1,12 +1,6 @@
 #include "render/passes/painter_parts.h"
 
 namespace kaori::passes {
-namespace {
-
-// A quarter of a step of 8 bits: nobody sees what has less.
-constexpr float kUnscattered = 1.0F / 1024;
-
-}  // namespace
 
 // By the same shaders as the picture, through the lamp instead of the camera. Borders between faces that cross-fade lie at
 // pixels of the picture that is drawn: here of the lamp's.
@@ -28,7 +22,7 @@ void Painter::Parts::DrawShadows() {
 // will hide it: light comes out from below them, too.
 void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
   scattered = nullptr;
-  if (!scatter || body->ScatterOf(shape.faces) < kUnscattered) return;
+  if (!scatter || body->ScatterOf(shape.faces) < kPainterUnseen) return;
   if (!scatter->Begin(canvas.width_px(), canvas.height_px(), figure)) return;
   body->DrawLight(surface, shape, *depths);
   scatter->Spread();

@@ -35,6 +35,9 @@ namespace kaori::passes {
 // Of the map of the lamp's depths: half a millimetre of the face each texel.
 inline constexpr int kShadowSide_px = 1024;
 
+// A quarter of a step of 8 bits: nobody sees what has less weight.
+inline constexpr float kPainterUnseen = 1.0F / 1024;
+
 // Styles that share a mesh are mixed in its shaders; the groups are drawn apart, and dissolve as whole
 // pictures.
 enum class Group : std::uint8_t { kTextured, kFlat, kWire };

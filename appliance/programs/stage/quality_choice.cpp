@@ -1,6 +1,7 @@
 #include "appliance/programs/stage/quality_choice.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,13 @@ namespace {
 using passes::Quality;
 
 constexpr int kTimedFrames = 5;
+
+// The quality that a wish names; nothing of "auto", or of no name.
+std::optional<Quality> NamedBy(std::string_view wish) {
+  for (const Quality quality : {Quality::kBasic, Quality::kFine, Quality::kFinest})
+    if (wish == passes::NameOf(quality)) return quality;
+  return std::nullopt;
+}
 
 // The first face of the show as it is at rest, before its plainest backdrop.
 scene::Scene FaceAtRest() {
@@ -56,16 +64,20 @@ bool IsInTime(std::span<const Duration> times) {
 }
 
 bool IsQualityWish(std::string_view wish) {
-  return wish == "auto" || wish == "basic" || wish == "fine" || wish == "finest";
+  return wish == "auto" || NamedBy(wish);
+}
+
+std::string NoQualityWish(std::string_view wish) {
+  return fmt::format("--quality {}: expected auto, basic, fine or finest", wish);
 }
 
 std::string ChooseQuality(Studio& studio, std::string_view wish) {
   if (wish == "basic") return "basic, as asked for";
-  const bool asked = wish != "auto";
+  const auto asked = NamedBy(wish);
   if (!asked && passes::QualityFor(studio.renderer()) == Quality::kBasic)
     return "basic, since a processor draws";
   const auto as_asked = [&]() -> Result<std::string> {
-    auto set = studio.SetQuality(wish == "fine" ? Quality::kFine : Quality::kFinest);
+    auto set = studio.SetQuality(*asked);
     if (!set) return tl::unexpected(set.error());
     return fmt::format("{}, as asked for", wish);
   };

@@ -20,6 +20,8 @@ bool IsInTime(std::span<const Duration> times);
 
 // "auto", "basic", "fine" or "finest".
 bool IsQualityWish(std::string_view wish);
+// For people whose option --quality names none of them.
+std::string NoQualityWish(std::string_view wish);
 
 // Has the studio draw as `wish` says, of those above; "auto" is what its driver can: basic on a processor; on a card
 // the finest in which some frames of the show's first face, timed now, are drawn in time. Blocks for some 100 ms on a

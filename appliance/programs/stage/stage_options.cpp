@@ -70,7 +70,7 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
       .Switch("--verified", into.verified);
   if (const auto status = options.Parse(argc, argv)) return status;
   if (!IsQualityWish(into.quality)) {
-    LogError("--quality {}: expected auto, basic, fine or finest", into.quality);
+    LogError("{}", NoQualityWish(into.quality));
     return 2;
   }
   if (!into.rehearse.empty()) return std::nullopt;
