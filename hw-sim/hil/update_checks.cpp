@@ -20,7 +20,7 @@ using std::chrono::seconds;
 
 // The whole file is read, unpacked, written and read back by a program of the idle class, beside a face that takes all that
 // the processors give.
-constexpr Duration kLongestUpdating = minutes(30);
+constexpr Duration kLongestUpdating = minutes(45);
 // The trial itself takes one to three minutes of the machine, whose clock is the host's.
 constexpr Duration kLongestTrial = minutes(6);
 constexpr Duration kStickListed = seconds(90);  // Of a stick that is plugged in, until it stands in the list.

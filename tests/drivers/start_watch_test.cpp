@@ -3,9 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "drivers/base/whole_file.h"
 #include "tests/drivers/service_manager.h"
@@ -49,7 +51,7 @@ class WatchedStart : public ::testing::Test {
 
   ManualClock clock_;
   tests::Manager manager_;
-  const std::string starts_ = ::testing::TempDir() + "kaori-starts";
+  const std::string starts_ = ::testing::TempDir() + "kaori-starts-" + std::to_string(::getpid());
 };
 
 TEST_F(WatchedStart, HasAMinuteForItsFirstStepAndIsNotWatchedBefore) {

@@ -234,6 +234,14 @@ class Shape(unittest.TestCase):
         found = against_shape("drivers/base/a.h", "// A header.\n#ifndef A\n#endif\n")
         self.assertEqual(found, ["drivers/base/a.h: a header has #pragma once"])
 
+    def test_names_files_of_a_test_that_other_tests_have_too(self):
+        for place in ("::testing::TempDir() + ", "std::filesystem::temp_directory_path() /\n    "):
+            found = against_shape("tests/drivers/a_test.cpp", f'const auto file = {place}"kaori-starts";\n')
+            self.assertEqual(len(found), 1, place)
+            self.assertIn("process id", found[0])
+            own = f'const auto file = {place}("starts-" + std::to_string(::getpid()));\n'
+            self.assertEqual(against_shape("tests/drivers/a_test.cpp", own), [])
+
     def test_names_a_file_that_is_too_long(self):
         found = against_shape("render/gl/a.cpp", "\n" * 301)
         self.assertEqual(len(found), 1)

@@ -1,6 +1,7 @@
 // Files of looks: the default ones are sound, and a fault names file, item and reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -32,8 +33,7 @@ class ChangedLook {
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << "kaori.toml does not hold: " << from;
     if (at != std::string::npos) text.replace(at, from.size(), to);
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() / (std::string("kaori-") + test->name() + ".toml");
+    path_ = std::filesystem::temp_directory_path() / ("kaori-look-" + std::to_string(::getpid()) + ".toml");
     std::ofstream(path_) << text;
   }
   ~ChangedLook() { std::filesystem::remove(path_); }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <ostream>
 
@@ -90,12 +91,14 @@ TEST_F(ScriptTest, NamesWhatStandsBehindAScene) {
 }
 
 TEST_F(ScriptTest, PutsAPictureFromBesideItIntoTheShow) {
-  const std::string name = "kaori-backdrop-" + std::to_string(::getpid()) + ".png";
+  const std::filesystem::path file =
+      ::testing::TempDir() + "kaori-backdrop-" + std::to_string(::getpid()) + ".png";
   image::Picture picture = image::Picture::Blank(2, 3);
   picture.rgbx[0] = 200;  // The bottom row's first pixel.
-  ASSERT_TRUE(image::WritePng(::testing::TempDir() + name, picture));
-  const auto faults = Read("[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"" + name + "\" }\n");
-  std::remove((::testing::TempDir() + name).c_str());
+  ASSERT_TRUE(image::WritePng(file, picture));
+  const auto faults =
+      Read("[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"" + file.filename().string() + "\" }\n");
+  std::filesystem::remove(file);
   EXPECT_THAT(faults, IsEmpty());
   const scene::Backdrop& backdrop = show_.scenes.at(0).backdrop;
   EXPECT_EQ(backdrop.kind, scene::BackdropKind::kPicture);

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -36,8 +38,8 @@ class RolesFileTest : public ::testing::Test {
     return Read("[[role]]\nname = \"head\"\ndevice = \"left stick\"\n[[role.map]]\n" + map);
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) /
-                                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) / ("kaori-roles-" + std::to_string(::getpid()));
   Items items_{.faces = {"kaori", "dog"}, .expressions = {"neutral", "angry", "laugh"}};
   show::Roles roles_;
   Besides besides_;

@@ -2,6 +2,7 @@
 #include "appliance/programs/boot/known_shaders.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -30,8 +31,7 @@ class KnownShaders : public ::testing::Test {
   }
 
   std::filesystem::path root_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("known-shaders-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+      std::filesystem::path(::testing::TempDir()) / ("known-shaders-" + std::to_string(::getpid()));
 };
 
 TEST_F(KnownShaders, StandInThePlacesThatTheirFirstBytesSay) {

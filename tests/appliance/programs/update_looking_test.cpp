@@ -2,6 +2,10 @@
 #include "appliance/programs/update/looking.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
 
 #include "drivers/base/whole_file.h"
 
@@ -12,7 +16,7 @@ class UpdateLook : public ::testing::Test {
  protected:
   void SetUp() override { std::filesystem::remove(file_); }
   void TearDown() override { std::filesystem::remove(file_); }
-  const std::filesystem::path file_ = ::testing::TempDir() + "kaori-looking";
+  const std::filesystem::path file_ = ::testing::TempDir() + "kaori-looking-" + std::to_string(::getpid());
 };
 
 TEST_F(UpdateLook, ThatIsTheFirstOfItsStartHasNoneBefore) {
