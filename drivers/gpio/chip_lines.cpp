@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/gpio/background_lines.h"
+
 namespace kaori::gpio {
 namespace {
 
@@ -117,7 +119,9 @@ Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, con
                                                     const Clock& clock) {
   auto opened = OpenGpioChip(chip, clock);
   if (!opened) return tl::unexpected(opened.error());
-  return ChipLines::Request(std::move(*opened), wiring);
+  auto lines = ChipLines::Request(std::move(*opened), wiring);
+  if (!lines) return tl::unexpected(lines.error());
+  return BackgroundLines::Begin(std::move(*lines), wiring.outputs.size(), clock);
 }
 
 }  // namespace kaori::gpio

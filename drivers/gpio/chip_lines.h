@@ -55,8 +55,9 @@ class ChipLines final : public ports::GpioLines {
   UniqueFd wake_;  // Readable while an input has a `next`, which the kernel knows no more.
 };
 
-// Opens the chip and requests its lines. Does not block, but for a chip behind USB, which answers within
-// some milliseconds. `clock` must outlive them. Errors: those of OpenGpioChip and of ChipLines::Request.
+// Opens the chip and requests its lines, which are read on a thread of their own (background_lines.h). Blocks for a chip behind
+// USB, which answers within some milliseconds. `clock` must outlive them. Errors: those of OpenGpioChip, of
+// ChipLines::Request and of BackgroundLines::Begin.
 Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring,
                                                     const Clock& clock);
 

@@ -14,7 +14,8 @@ class GpioSubject : public AnySubject {
  public:
   virtual ports::GpioLines& lines() = 0;
   virtual void Switch(std::uint32_t line, bool active) = 0;
-  virtual bool lamp() = 0;
+  // Whether the lamp is lit, or unlit, within the time that a thread may take.
+  virtual bool LampBecomes(bool lit) = 0;
   virtual void Unplug() = 0;
 
   ManualClock clock;
@@ -64,11 +65,11 @@ TEST_P(GpioLinesContract, GivesEachEdgeOnceWithItsLineItsStateAndItsTime) {
 }
 
 TEST_P(GpioLinesContract, DrivesItsOutputAndRefusesOneThatItDoesNotHave) {
-  EXPECT_FALSE(subject_->lamp()) << "outputs start inactive";
+  EXPECT_TRUE(subject_->LampBecomes(false)) << "outputs start inactive";
   ASSERT_TRUE(lines().Drive(0, true));
-  EXPECT_TRUE(subject_->lamp());
+  EXPECT_TRUE(subject_->LampBecomes(true));
   ASSERT_TRUE(lines().Drive(0, false));
-  EXPECT_FALSE(subject_->lamp());
+  EXPECT_TRUE(subject_->LampBecomes(false));
   EXPECT_EQ(Cause(lines().Drive(1, true)), std::errc::invalid_argument);
 }
 

@@ -1,10 +1,12 @@
-// The GPIO lines: those of a fake chip with interrupts, and of one without, whose lines are polled. A chip
+// The GPIO lines: those of a fake chip with interrupts, of one without, whose lines are polled, and those on a thread. A chip
 // behind a HID bridge is the kernel's, and is the same implementation as the first.
+#include "drivers/gpio/background_lines.h"
 #include "drivers/gpio/chip_lines.h"
 #include "drivers/gpio/local_lines.h"
 #include "firmware/wire/link_lines.h"
 #include "tests/contracts/gpio_lines_contract.h"
 #include "tests/drivers/gpio_fake_chip.h"
+#include "tests/drivers/gpio_slow_lines.h"
 #include "tests/drivers/link_peer.h"
 #include "tests/hw-sim/link_fixture.h"
 
@@ -26,12 +28,26 @@ class ChipSubject final : public GpioSubject {
   void Switch(std::uint32_t line, bool active) override {
     chip_.Switch(line == 0 ? kFirstInput : kSecondInput, active, clock.now());
   }
-  bool lamp() override { return chip_.lamps.at(kOutput); }
+  bool LampBecomes(bool lit) override { return chip_.lamps.at(kOutput) == lit; }
   void Unplug() override { chip_.unplugged = true; }
 
  private:
   tests::FakeChipState chip_;
   std::unique_ptr<gpio::ChipLines> lines_;
+};
+
+class BackgroundSubject final : public GpioSubject {
+ public:
+  BackgroundSubject()
+      : lines_(gpio::BackgroundLines::Begin(std::make_unique<tests::SlowLines>(chip_), 1, clock).value()) {}
+  ports::GpioLines& lines() override { return *lines_; }
+  void Switch(std::uint32_t line, bool active) override { chip_.Switch(line, active, clock.now()); }
+  bool LampBecomes(bool lit) override { return chip_.LampBecomes(lit); }
+  void Unplug() override { chip_.Unplug(); }
+
+ private:
+  tests::SlowChip chip_;
+  std::unique_ptr<gpio::BackgroundLines> lines_;
 };
 
 class LocalLinesSubject final : public GpioSubject {
@@ -46,12 +62,12 @@ class LocalLinesSubject final : public GpioSubject {
     panel_.Send(wire::Encode(wire::LineEdge{
         .at_ns = clock.now().time_since_epoch().count(), .line = line, .active = active ? 1U : 0U}));
   }
-  bool lamp() override {
+  bool LampBecomes(bool lit) override {
     std::array<std::uint8_t, 64> packet{};
     while (const auto heard = panel_.Receive(packet))
       if (const auto drive = wire::DecodeLineDrive(std::span(packet).first(heard->bytes)))
         lit_ = drive->active != 0;
-    return lit_;
+    return lit_ == lit;
   }
   void Unplug() override { panel_.HangUp(); }
 
@@ -67,6 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Implementation<GpioSubject>{"Chip", [] { return std::make_unique<ChipSubject>(true); }},
         Implementation<GpioSubject>{"PolledChip", [] { return std::make_unique<ChipSubject>(false); }},
+        Implementation<GpioSubject>{"Background", [] { return std::make_unique<BackgroundSubject>(); }},
         Implementation<GpioSubject>{"Local", [] { return std::make_unique<LocalLinesSubject>(); }}),
     NameOf<GpioSubject>);
 

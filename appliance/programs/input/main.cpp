@@ -271,10 +271,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   watch.Step();
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::service::FeedWatchdog(loop, clock); !ok) return kaori::ExitWithError(ok.error());
-  kaori::input::ServiceKey key(settings.key);
+  kaori::input::ServiceKey key(settings.key, clock.now());
   const auto tick = [&] {
     watch.Step();
-    key.Step(board->Read<kaori::board::Lines>());
+    key.Step(board->Read<kaori::board::Lines>(), clock.now());
   };
   if (auto ok = loop.RunEvery(kTick, tick); !ok) return kaori::ExitWithError(ok.error());
   return 0;

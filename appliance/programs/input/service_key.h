@@ -3,28 +3,35 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/lines.h"
+#include "drivers/base/clock.h"
 
 namespace kaori::input {
 
-// One thread. Begins with the file away, whatever was there.
+// The file outlives the program, so that a program that is started anew while somebody brings in an update does not end
+// that: how the key stood counts until its line is heard, or for kUnheard, over all starts since. One thread.
 class ServiceKey {
  public:
-  // `file` is in memory; empty: nobody is told.
-  explicit ServiceKey(std::filesystem::path file);
-  ~ServiceKey();
-  ServiceKey(const ServiceKey&) = delete;
-  ServiceKey& operator=(const ServiceKey&) = delete;
+  static constexpr Duration kUnheard = std::chrono::seconds(10);
+
+  // `file` is in memory; empty: nobody is told. `now` is of the machine's steady clock, whose times the file may hold.
+  ServiceKey(std::filesystem::path file, Time now);
 
   // Makes or removes the file where the key has been turned. A chip that is gone counts as a key that is off.
   // A file that cannot be made is logged once.
-  void Step(const board::Stamped<board::Lines>& lines);
+  void Step(const board::Stamped<board::Lines>& lines, Time now);
 
  private:
+  void Write(const std::string& unheard_since) const;
+
   std::filesystem::path file_;
   bool on_ = false;
+  // The line has not been heard yet, and how the key stood counts until then.
+  bool is_unheard_ = false;
+  Time until_{};
 };
 
 }  // namespace kaori::input

@@ -90,22 +90,58 @@ TEST_F(Settings, OfABoxAreKeptAndTheLastGoodOnesCountWhereTheyAreWrong) {
   std::filesystem::remove(path);
 }
 
-TEST(TheServiceKey, IsAFileWhileItIsOn) {
-  const auto file = std::filesystem::temp_directory_path() / ("kaori-key-" + std::to_string(::getpid()));
-  std::ofstream(file) << "of an earlier run";
-  ServiceKey key(file);
-  EXPECT_FALSE(std::filesystem::exists(file));
-  const board::Stamped<board::Lines> off{{}, {}, board::SourceState::kLive};
-  auto on = off;
-  on.value.active = 1U << static_cast<unsigned>(board::Line::kService);
-  key.Step(on);
-  EXPECT_TRUE(std::filesystem::exists(file));
-  key.Step(off);
-  EXPECT_FALSE(std::filesystem::exists(file));
-  key.Step(on);
-  on.source = board::SourceState::kStale;
-  key.Step(on);
-  EXPECT_FALSE(std::filesystem::exists(file)) << "the chip is gone";
+// A file, and lines of which one is the service key.
+class TheServiceKey : public ::testing::Test {
+ protected:
+  TheServiceKey() { std::filesystem::remove(file_); }
+  ~TheServiceKey() override { std::filesystem::remove(file_); }
+  static board::Stamped<board::Lines> Lines(bool is_on,
+                                            board::SourceState source = board::SourceState::kLive) {
+    board::Stamped<board::Lines> lines{{}, {}, source};
+    if (is_on) lines.value.active = 1U << static_cast<unsigned>(board::Line::kService);
+    return lines;
+  }
+  static board::Stamped<board::Lines> Unheard() { return Lines(true, board::SourceState::kAbsent); }
+  bool IsThere() const { return std::filesystem::exists(file_); }
+
+  const Time began_ = Time{} + std::chrono::hours(1);
+  const std::filesystem::path file_ =
+      std::filesystem::temp_directory_path() / ("kaori-key-" + std::to_string(::getpid()));
+};
+
+TEST_F(TheServiceKey, IsAFileWhileItIsOn) {
+  ServiceKey key(file_, began_);
+  EXPECT_FALSE(IsThere());
+  key.Step(Lines(true), began_);
+  EXPECT_TRUE(IsThere());
+  key.Step(Lines(false), began_);
+  EXPECT_FALSE(IsThere());
+  key.Step(Lines(true), began_);
+  key.Step(Lines(true, board::SourceState::kStale), began_);
+  EXPECT_FALSE(IsThere()) << "the chip is gone";
+}
+
+TEST_F(TheServiceKey, StaysAsItWasWhileTheProgramIsStartedAnew) {
+  ServiceKey(file_, began_).Step(Lines(true), began_);
+  ServiceKey on(file_, began_);
+  on.Step(Unheard(), began_ + std::chrono::seconds(2));
+  EXPECT_TRUE(IsThere());
+  on.Step(Lines(true), began_ + std::chrono::seconds(3));
+  on.Step(Lines(true), began_ + std::chrono::minutes(3));
+  EXPECT_TRUE(IsThere());
+  ServiceKey turned(file_, began_ + std::chrono::minutes(3));
+  turned.Step(Lines(false), began_ + std::chrono::minutes(3));
+  EXPECT_FALSE(IsThere()) << "it was turned meanwhile";
+}
+
+TEST_F(TheServiceKey, CountsAsOffWhereNoStartHearsOfItForTenSeconds) {
+  ServiceKey(file_, began_).Step(Lines(true), began_);
+  for (int s = 0; s < 10; s += 3) ServiceKey(file_, began_ + std::chrono::seconds(s));
+  ServiceKey key(file_, began_ + std::chrono::seconds(9));
+  key.Step(Unheard(), began_ + std::chrono::seconds(9));
+  EXPECT_TRUE(IsThere());
+  key.Step(Unheard(), began_ + ServiceKey::kUnheard);
+  EXPECT_FALSE(IsThere());
 }
 
 TEST_F(Settings, NameLineAndColumnOfATypingError) {
