@@ -171,6 +171,8 @@ std::vector<Check> SecureBootChecks();
 std::vector<Check> UpdateChecks();
 // The power goes at any moment, in a PC with UEFI.
 std::vector<Check> PowerCycleChecks();
+// Programs of the box are killed again and again, and its disk is full.
+std::vector<Check> StormChecks();
 // The disk has spoilt the root's show, in such a PC.
 std::vector<Check> SpoiltShowChecks();
 // The box on a USB stick and on an SD card, as its only disk.

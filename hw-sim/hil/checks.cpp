@@ -100,14 +100,14 @@ Result<void> WantFoundWrong(const Result<void>& tried, const char* passed) {
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part :
-       {ScreenChecks(),        PlayChecks(),       InputChecks(),      SurfaceChecks(),    ChipChecks(),
-        SerialBoxChecks(),     LatencyChecks(),    CameraChecks(),     LineChecks(),       SoundChecks(),
-        LibcameraChecks(),     CableChecks(),      HangChecks(),       ToolChecks(),       ReportChecks(),
-        AuthorisationChecks(), AloneChecks(),      SpeedChecks(),      GadgetChecks(),     LoopChecks(),
-        DamagedDiskChecks(),   DialLineChecks(),   SamplingChecks(),   DisplayChecks(),    OutputChecks(),
-        LastFaceChecks(),      RecoveryChecks(),   PowerChecks(),      StickChecks(),      BackupChecks(),
-        DeskChecks(),          DataChecks(),       DiskChecks(),       SecureBootChecks(), StartChecks(),
-        UpdateChecks(),        PowerCycleChecks(), SpoiltShowChecks(), MediumChecks()})
+       {ScreenChecks(),        PlayChecks(),     InputChecks(),      SurfaceChecks(),    ChipChecks(),
+        SerialBoxChecks(),     LatencyChecks(),  CameraChecks(),     LineChecks(),       SoundChecks(),
+        LibcameraChecks(),     CableChecks(),    HangChecks(),       ToolChecks(),       ReportChecks(),
+        AuthorisationChecks(), AloneChecks(),    SpeedChecks(),      GadgetChecks(),     LoopChecks(),
+        DamagedDiskChecks(),   DialLineChecks(), SamplingChecks(),   DisplayChecks(),    OutputChecks(),
+        LastFaceChecks(),      StormChecks(),    RecoveryChecks(),   PowerChecks(),      StickChecks(),
+        BackupChecks(),        DeskChecks(),     DataChecks(),       DiskChecks(),       SecureBootChecks(),
+        StartChecks(),         UpdateChecks(),   PowerCycleChecks(), SpoiltShowChecks(), MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

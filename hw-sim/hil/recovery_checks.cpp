@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/held_picture.h"
 #include "hw-sim/hil/picture.h"
 
 namespace kaori::hil {
@@ -13,8 +14,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-// Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
-constexpr double kMovedByItself = 0.06;
 constexpr Duration kRecoveryAnswer = seconds(120);
 
 // A small screen, so that the stage is back sooner; no devices, whose drivers would need time. The
@@ -39,27 +38,6 @@ constexpr std::array kDeaths{
     Death{"stopped", "start /usr/bin/systemctl restart kaori-stage.service", 20, seconds(180)},
     Death{"frozen", "signal kaori-stage 19", 2, seconds(360)}};
 
-// Pictures that were looked at while the stage was away; `largest` is the
-// difference of the worst of them.
-struct Watch {
-  std::string face;  // The picture before.
-  int pictures = 0;
-  int wrong = 0;
-  double largest = 0;
-};
-
-// Compares the screen with the face before. Errors: those of the picture.
-Result<void> Look(Scene& scene, Watch& watch) {
-  const std::string file = scene.folder + "/held-now.png";
-  if (auto ok = scene.target.machine().Shoot(0, file); !ok) return ok;
-  const auto apart = MeanDifference(watch.face, file);
-  if (!apart) return tl::unexpected(apart.error());
-  ++watch.pictures;
-  watch.wrong += *apart > kMovedByItself ? 1 : 0;
-  watch.largest = std::max(watch.largest, *apart);
-  return {};
-}
-
 // A program that was started beside the questions is waited for.
 Result<void> Reap(Scene& scene, const Death& death, const std::string& number) {
   if (!std::string_view(death.question).starts_with("start ")) return {};
@@ -76,7 +54,7 @@ Result<std::string> ProcessOf(Scene& scene, const char* program) {
 // Looks at the screen without a pause until the stage, which has just been made to end, draws new frames. A
 // new stage is known by its process: between two looks at the board of a slow machine it may have drawn more
 // frames than the old one had.
-Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
+Result<void> WatchOneDeath(Scene& scene, const Death& death, HeldPicture& held) {
   const auto before = ProcessOf(scene, "kaori-stage");
   if (!before) return tl::unexpected(before.error());
   const auto told = scene.target.agent().Ask(death.question, kRecoveryAnswer);
@@ -84,7 +62,7 @@ Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
   std::int64_t began_ns = 0;  // When the new process was first seen; 0: it was not.
   const Time until = scene.target.clock().now() + death.longest;
   while (scene.target.clock().now() < until) {
-    if (auto ok = Look(scene, watch); !ok) return ok;
+    if (auto ok = held.Look(scene); !ok) return ok;
     const auto board = scene.target.Board();
     const auto process = ProcessOf(scene, "kaori-stage");
     if (board && process && began_ns == 0 && !process->empty() && *process != *before)
@@ -107,21 +85,21 @@ Result<void> AwaitSomeFrames(Scene& scene) {
 
 // Every death is watched by pictures alone: what an audience would see.
 Result<void> Held(Scene& scene) {
-  if (auto ok = scene.ShootFace("held", "Before the stage ends for the first time"); !ok) return ok;
-  Watch watch{.face = scene.folder + "/" + scene.finding.pictures.back().file};
+  auto held = HoldFace(scene, "held", "Before the stage ends for the first time");
+  if (!held) return tl::unexpected(held.error());
   int deaths = 0;
   for (const Death& death : kDeaths)
     for (int n = 0; n < death.times; ++n, ++deaths) {
       if (auto ok = AwaitSomeFrames(scene); !ok) return ok;
-      if (auto ok = WatchOneDeath(scene, death, watch); !ok) return ok;
+      if (auto ok = WatchOneDeath(scene, death, *held); !ok) return ok;
     }
-  scene.finding.figures["held_frames_wrong"] = watch.wrong;
-  scene.finding.figures["held_pictures"] = watch.pictures;
+  scene.finding.figures["held_frames_wrong"] = held->wrong;
+  scene.finding.figures["held_pictures"] = held->pictures;
   scene.finding.figures["held_deaths"] = deaths;
   scene.finding.said =
       fmt::format("the stage ended {} times; {} pictures, {} wrong; largest difference {:.3f} of {}", deaths,
-                  watch.pictures, watch.wrong, watch.largest, kMovedByItself);
-  return watch.wrong == 0 ? Result<void>{} : FailInput(scene.finding.said);
+                  held->pictures, held->wrong, held->largest, HeldPicture::kMovedByItself);
+  return held->wrong == 0 ? Result<void>{} : FailInput(scene.finding.said);
 }
 
 // A black picture and the face upside down are found wrong.
@@ -133,7 +111,7 @@ Result<void> WrongPicturesAreFound(Scene& scene) {
     if (auto ok = write(face, other); !ok) return ok;
     const auto apart = MeanDifference(face, other);
     if (!apart) return tl::unexpected(apart.error());
-    if (*apart <= kMovedByItself)
+    if (*apart <= HeldPicture::kMovedByItself)
       return FailInput(fmt::format("another picture differs by {:.3f} only", *apart));
   }
   return {};

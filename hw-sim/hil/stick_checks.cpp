@@ -89,7 +89,7 @@ Result<void> BringShow(Scene& scene) {
 Result<void> WantDamagedRefused(Scene& scene, const std::string& id) {
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
   if (auto ok = Plug(scene, "damaged.stick"); !ok) return ok;
-  if (auto ok = WantStickSaid(scene, "> 1  matinee  ", kLongestReading); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "> 1. matinee  ", kLongestReading); !ok) return ok;
   if (auto ok = PressFor(scene, kOne, "matinee: it "); !ok) return ok;
   if (auto ok = WantStickSaid(scene, "matinee: it is damaged", kLongestInstalling); !ok) return ok;
   const auto chosen = ChosenId(scene);
@@ -139,7 +139,7 @@ Result<std::string> BringBoth(Scene& scene) {
   if (ok) ok = WantSupportFile(scene);
   // A stick that is seen while the key is on, so that it can be seen to die with it.
   if (ok) ok = Plug(scene, "damaged.stick");
-  if (ok) ok = WantStickSaid(scene, "> 1  matinee  ", kLongestReading);
+  if (ok) ok = WantStickSaid(scene, "> 1. matinee  ", kLongestReading);
   scene.target.rig().gpio().Open(kStickKey);
   if (ok) ok = WantDead(scene);
   if (ok) ok = scene.ShootFace("stick", "A company's own show, which a stick brought");
@@ -198,7 +198,7 @@ Result<void> TakesAnUpdate(Scene& scene) {
   auto ok = box.Play(StickSetup(disk->file));
   scene.target.rig().gpio().Close(kStickKey);
   if (ok) ok = Plug(scene, "update.stick");
-  if (ok) ok = WantStickSaid(scene, "> 1  ", kLongestReading);
+  if (ok) ok = WantStickSaid(scene, "> 1. ", kLongestReading);
   if (ok) ok = InstallUnderPlay(scene, kUpdate);
   scene.target.rig().gpio().Open(kStickKey);
   static_cast<void>(scene.target.machine().PullUnauthorised());
@@ -216,7 +216,7 @@ Result<void> NoUpdateWithoutTheKey(Scene& scene) {
   auto ok = box.Play(StickSetup(""));
   if (ok) ok = Plug(scene, "update.stick");
   if (ok)
-    ok = WantFoundWrong(WantStickSaid(scene, "> 1  ", seconds(60)), "an update is read without the key");
+    ok = WantFoundWrong(WantStickSaid(scene, "> 1. ", seconds(60)), "an update is read without the key");
   static_cast<void>(scene.target.machine().PullUnauthorised());
   box.Off();
   return ok;

@@ -124,8 +124,8 @@ Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name) {
 // The stick has a show and the key that signed it, in that order of the list; the show is refused until its key is there.
 Result<void> BringKey(Scene& scene) {
   if (auto ok = Plug(scene, "evening.stick"); !ok) return ok;
-  if (auto ok = WantStickSaid(scene, "> 1  evening  ", kLongestReading); !ok) return ok;
-  if (auto ok = WantStickSaid(scene, "  2  key theatre  ", seconds(5)); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "> 1. evening  ", kLongestReading); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "  2. key theatre  ", seconds(5)); !ok) return ok;
   if (auto ok = PressFor(scene, kOne, "evening: this box "); !ok) return ok;
   return PressFor(scene, kTwo, "theatre: this key is on the box now");
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "drivers/base/checksum.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
@@ -15,6 +16,7 @@ namespace kaori::boot {
 namespace {
 
 constexpr std::size_t kIdDigits = 32;
+constexpr std::size_t kMark_bytes = 17;
 constexpr unsigned kIdMode = 0444;
 constexpr std::string_view kIdLetters = "0123456789abcdef";
 
@@ -24,6 +26,13 @@ bool IsMachineId(std::string_view text) {
   const auto is_zero = [](char c) { return c == '0'; };
   return text.size() == kIdDigits && std::ranges::all_of(text, is_digit) &&
          !std::ranges::all_of(text, is_zero);
+}
+
+// A file of one line, without its end; empty where it is missing.
+std::string LineOf(const std::filesystem::path& file, std::size_t most_bytes) {
+  std::string line = ReadFile(file, {.most_bytes = most_bytes}).value_or("");
+  if (!line.empty() && line.back() == '\n') line.pop_back();
+  return line;
 }
 
 // A random UUID of version 4 (RFC 4122, 4.4), which is what machine-id(5) asks for.
@@ -43,15 +52,38 @@ Result<std::string> NewMachineId() {
 
 }  // namespace
 
-Result<std::string> KeptMachineId(const std::filesystem::path& file) {
-  std::string kept = ReadFile(file, {.most_bytes = kIdDigits + 1}).value_or("");
-  if (!kept.empty() && kept.back() == '\n') kept.pop_back();
-  if (IsMachineId(kept)) return kept;
-  auto made = NewMachineId();
-  if (!made) return made;
-  if (auto ok = WriteWholeFile(file, {AsBytes(*made + "\n")}, kIdMode); !ok)
+// A serial number that nobody filled in is the same text for many PCs, and no harm: their other numbers count.
+std::string MachineMark(const std::filesystem::path& sys) {
+  constexpr std::size_t kMost_bytes = 4096;
+  std::uint64_t sum = kFnvBasis;
+  for (const char* const name :
+       {"class/dmi/id/product_uuid", "class/dmi/id/product_serial", "class/dmi/id/board_serial",
+        "class/dmi/id/chassis_serial", "firmware/devicetree/base/serial-number"}) {
+    const std::string number = LineOf(sys / name, kMost_bytes);
+    if (!number.empty()) sum = Fnv1a(number, Fnv1a(name, sum));
+  }
+  if (sum == kFnvBasis) return "";
+  std::string digits;
+  for (int bit = 60; bit >= 0; bit -= 4) digits += kIdLetters[sum >> static_cast<unsigned>(bit) & 0x0FU];
+  return digits;
+}
+
+// The mark comes last: a start that is cut off between the two makes a new number once more.
+Result<std::string> KeptMachineId(const std::filesystem::path& file, const std::string& machine) {
+  const std::filesystem::path marks = file.string() + ".pc";
+  Result<std::string> number = LineOf(file, kIdDigits + 1);
+  const std::string mark = LineOf(marks, kMark_bytes);
+  const bool is_copied = !mark.empty() && !machine.empty() && mark != machine;
+  if (!IsMachineId(*number) || is_copied) {
+    number = NewMachineId();
+    if (!number) return number;
+    if (auto ok = WriteWholeFile(file, {AsBytes(*number + "\n")}, kIdMode); !ok)
+      return tl::unexpected(ok.error());
+  }
+  if (machine.empty() || mark == machine) return number;
+  if (auto ok = WriteWholeFile(marks, {AsBytes(machine + "\n")}, kIdMode); !ok)
     return tl::unexpected(ok.error());
-  return made;
+  return number;
 }
 
 std::string NameOfBox(const std::string& wanted, const std::string& machine_id) {

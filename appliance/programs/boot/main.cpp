@@ -236,7 +236,8 @@ void KeepMedium() {
 // Lays the box's own number over the root's empty /etc/machine-id, since the journal keeps its files in a folder of that
 // name and systemd would else make up another number at each start; and its name over /etc/hostname, which systemd takes.
 void ApplyIdentity(const std::string& wanted_name) {
-  const auto number = kaori::boot::KeptMachineId(std::string(kData) + "/machine-id");
+  const auto number =
+      kaori::boot::KeptMachineId(std::string(kData) + "/machine-id", kaori::boot::MachineMark("/sys"));
   if (number)
     LayOver("/etc/machine-id", "machine-id", *number);
   else

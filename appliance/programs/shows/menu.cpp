@@ -114,7 +114,7 @@ std::vector<std::string> Menu::Lines(Message message, Language language, const s
   }
   const std::vector<std::string> labels = Labels();
   for (std::size_t i = 0; i < labels.size(); ++i)
-    lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + "  " + labels[i]);
+    lines.push_back((i == marked_ ? "> " : "  ") + std::to_string(i + 1) + ". " + labels[i]);
   if (left_out_ > 0)
     lines.push_back("  and " + std::to_string(left_out_) +
                     " more on the stick; take some off it to see them");

@@ -218,9 +218,13 @@ int Play(const Settings& settings, kaori::service::StartWatch& start, kaori::Eve
   auto alarm = kaori::Alarm::Make();
   if (!alarm) return kaori::ExitWithError(alarm.error());
   if (!settings.early) stage.SampleLate();
+  kaori::stage::QualityForScreens sizes(**studio, settings.quality);
   kaori::stage::ScreenSession session(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
-    if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
-    return prepared->card ? OpenScreen(*prepared->card, clock) : AwaitCard(settings.card, loop);
+    auto screen = settings.card.empty() ? kaori::scanout::LocalScreen::Open(settings.links)
+                  : prepared->card      ? OpenScreen(*prepared->card, clock)
+                                        : AwaitCard(settings.card, loop);
+    if (screen) sizes.See(**screen);
+    return screen;
   });
   if (auto begun = session.Begin(); !begun) return kaori::ExitWithError(begun.error());
   kaori::Log("the first picture is drawn");

@@ -27,20 +27,20 @@ class MachineId : public ::testing::Test {
 };
 
 TEST_F(MachineId, IsMadeAtTheFirstStartAndKept) {
-  const auto made = KeptMachineId(file());
+  const auto made = KeptMachineId(file(), "");
   ASSERT_TRUE(made);
   EXPECT_THAT(*made, ::testing::MatchesRegex("[0-9a-f]{12}4[0-9a-f]{3}[89ab][0-9a-f]{15}"));
-  EXPECT_EQ(KeptMachineId(file()), *made);
+  EXPECT_EQ(KeptMachineId(file(), ""), *made);
 }
 
 TEST_F(MachineId, DiffersFromBoxToBox) {
-  EXPECT_NE(KeptMachineId(file()).value(), KeptMachineId(folder_ / "another").value());
+  EXPECT_NE(KeptMachineId(file(), "").value(), KeptMachineId(folder_ / "another", "").value());
 }
 
 TEST_F(MachineId, IsTakenAsItIs) {
   const std::string given(32, 'a');
   Write(given + "\n");
-  EXPECT_EQ(KeptMachineId(file()), given);
+  EXPECT_EQ(KeptMachineId(file(), ""), given);
 }
 
 TEST_F(MachineId, ThatIsDamagedIsMadeAnew) {
@@ -48,18 +48,48 @@ TEST_F(MachineId, ThatIsDamagedIsMadeAnew) {
        {std::string("6b616f72"), std::string(32, '0'), std::string(32, 'A'), std::string(33, 'a'),
         std::string(31, 'a') + "\xFF", std::string(100'000, 'a')}) {
     Write(damaged);
-    const auto made = KeptMachineId(file());
+    const auto made = KeptMachineId(file(), "");
     ASSERT_TRUE(made) << damaged.size();
     EXPECT_NE(*made, damaged);
-    EXPECT_EQ(KeptMachineId(file()), *made);
+    EXPECT_EQ(KeptMachineId(file(), ""), *made);
     fs::remove(file());
   }
 }
 
 TEST_F(MachineId, ThatCannotBeKeptIsAnErrorThatNamesTheFile) {
-  const auto made = KeptMachineId(folder_ / "missing" / "machine-id");
+  const auto made = KeptMachineId(folder_ / "missing" / "machine-id", "");
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message(), ::testing::HasSubstr("machine-id"));
+}
+
+TEST_F(MachineId, OfACopiedDiskIsMadeAnewInTheOtherPC) {
+  const auto first = KeptMachineId(file(), "0123456789abcdef");
+  ASSERT_TRUE(first);
+  EXPECT_EQ(KeptMachineId(file(), "0123456789abcdef"), *first);
+  EXPECT_EQ(KeptMachineId(file(), ""), *first) << "a PC that says nothing of itself";
+  const auto second = KeptMachineId(file(), "00000000abcdef01");
+  ASSERT_TRUE(second);
+  EXPECT_NE(*second, *first);
+  EXPECT_EQ(KeptMachineId(file(), "00000000abcdef01"), *second);
+}
+
+TEST_F(MachineId, OfBeforeIsKeptByAnUpdateThatLooksAtThePC) {
+  const auto before = KeptMachineId(file(), "");
+  EXPECT_EQ(KeptMachineId(file(), "0123456789abcdef"), *before);
+  EXPECT_NE(KeptMachineId(file(), "00000000abcdef01"), *before);
+}
+
+TEST_F(MachineId, ThePCIsToldFromOthersByItsSerialNumbers) {
+  EXPECT_EQ(MachineMark(folder_), "") << "a PC that says nothing of itself";
+  fs::create_directories(folder_ / "class/dmi/id");
+  std::ofstream(folder_ / "class/dmi/id/board_serial") << "Default string\n";
+  const std::string plain = MachineMark(folder_);
+  EXPECT_THAT(plain, ::testing::MatchesRegex("[0-9a-f]{16}"));
+  EXPECT_EQ(MachineMark(folder_), plain);
+  std::ofstream(folder_ / "class/dmi/id/product_uuid") << "4c4c4544-0044-4810-8031-b4c04f4d3332\n";
+  EXPECT_NE(MachineMark(folder_), plain);
+  std::ofstream(folder_ / "class/dmi/id/product_uuid") << "4c4c4544-0044-4810-8031-b4c04f4d3333\n";
+  EXPECT_NE(MachineMark(folder_), plain);
 }
 
 TEST(BoxName, IsAsTheSettingsSayOrTellsBoxesApartByTheirNumbers) {

@@ -45,7 +45,7 @@ TEST_F(CopiesTest, ARestoreSaysWhatDiffersAndChangesNothingBeforeYes) {
   fs::remove(folder_ / "lips/lips.settings");
   const std::string said = Choose("restore left");
   EXPECT_THAT(said, HasSubstr(Words(Message::kAskChange, Language::kEnglish)));
-  EXPECT_THAT(said, HasSubstr("> 1  leave the box as it is"));
+  EXPECT_THAT(said, HasSubstr("> 1. leave the box as it is"));
   EXPECT_THAT(said, HasSubstr("changed own/01-smile.toml"));
   EXPECT_THAT(said, HasSubstr("gone    own/02-frown.toml"));
   EXPECT_THAT(said, HasSubstr("new     lips/lips.settings"));
@@ -89,7 +89,7 @@ TEST_F(CopiesTest, ARestoreIsDoneAtTheNextStartAndCanBeUndone) {
 
 TEST_F(CopiesTest, ABoxWithNothingGetsTheShowAndEverythingButTheNameAndTheReports) {
   PutOnStick("evening", &company_);
-  Choose("1  evening");
+  Choose("1. evening");
   const auto id = store::ReadChoice(folder_ / "shows").current;
   Put("settings/keys/company.pub", show::PublicKeyLine(company_.public_key()));
   BackUp();
@@ -131,7 +131,7 @@ TEST_F(CopiesTest, ALaterRestoreTakesThePlaceOfOneThatWaits) {
 
 TEST_F(CopiesTest, AShowOfNobodyWhomTheBoxKnowsIsRefused) {
   PutOnStick("evening", &company_);
-  Choose("1  evening");
+  Choose("1. evening");
   BackUp();
   fs::remove_all(folder_ / "root-keys");
   EXPECT_THAT(Choose("restore left"), HasSubstr("does not trust its signer"));
@@ -140,7 +140,7 @@ TEST_F(CopiesTest, AShowOfNobodyWhomTheBoxKnowsIsRefused) {
 
 TEST_F(CopiesTest, AShowThatDoesNotPlayHereIsRefused) {
   PutOnStick("evening", &company_);
-  Choose("1  evening");
+  Choose("1. evening");
   BackUp();
   for (const auto& pack : fs::directory_iterator(folder_ / "shows")) fs::remove(pack);
   trial_ = FailInput("it needs more memory");

@@ -59,7 +59,7 @@ TEST_F(MenuTest, ArrowsMoveTheMark) {
   Strike(board::key::kDown);
   EXPECT_EQ(Taken(), "");
   EXPECT_THAT(menu_.Lines(Message::kChoose, Language::kEnglish, "", "", true),
-              ElementsAre(HasSubstr("GO"), "  1  evening  1 MB", "> 2  matinee  1 MB"));
+              ElementsAre(HasSubstr("GO"), "  1. evening  1 MB", "> 2. matinee  1 MB"));
   Strike(board::key::kEnter);
   EXPECT_EQ(Taken(), "matinee");
 }

@@ -41,12 +41,12 @@ TEST_F(ServiceMenuTest, IsOpenOnTheBoardFromTheStickOnUntilNobodyPressesAnything
   EXPECT_FALSE(IsOpen());
   EXPECT_THAT(said, HasSubstr("Page Up opens the list of shows"));
   EXPECT_THAT(said, HasSubstr(Words(Message::kShut, Language::kJapanese)));
-  EXPECT_THAT(said, Not(HasSubstr("1  evening")));
+  EXPECT_THAT(said, Not(HasSubstr("1. evening")));
   Strike(board::key::kEnter);
   Play(1s);
   EXPECT_EQ(store::ReadChoice(folder_ / "shows"), store::Choice()) << "that was the show's";
   Strike(board::key::kPageUp);
-  EXPECT_THAT(Play(1s), HasSubstr("> 1  evening"));
+  EXPECT_THAT(Play(1s), HasSubstr("> 1. evening"));
   EXPECT_TRUE(IsOpen());
 }
 
@@ -67,7 +67,7 @@ TEST_F(ServiceMenuTest, OffersTheWaysBackWithoutAStickOnceItIsOpened) {
   EXPECT_THAT(said, Not(HasSubstr("back to")));
   EXPECT_NE(store::ReadChoice(folder_ / "shows").current, first_) << "a key is the show's";
   Strike(board::key::kPageUp);
-  EXPECT_THAT(Play(1s), HasSubstr("> 1  back to the show before\n  2  back to the box's own show\n"));
+  EXPECT_THAT(Play(1s), HasSubstr("> 1. back to the show before\n  2. back to the box's own show\n"));
   Strike(board::key::k1);
   EXPECT_THAT(Play(1s), HasSubstr("back to the show before: it is on the box"));
   EXPECT_EQ(store::ReadChoice(folder_ / "shows").current, first_);
@@ -144,7 +144,7 @@ TEST_F(ServiceMenuTest, WritesASupportFileOntoAStickEvenAnEmptyOne) {
   plugged_ = true;
   const std::string said = Play(1s);
   EXPECT_THAT(said, HasSubstr("there is no show on the stick"));
-  EXPECT_THAT(said, HasSubstr("> 1  support file for a technician"));
+  EXPECT_THAT(said, HasSubstr("> 1. support file for a technician"));
   Strike(board::key::kEnter);
   service_.Step(now_);
   EXPECT_THAT(ReadFile(folder_ / "report" / "lines").value_or(""),

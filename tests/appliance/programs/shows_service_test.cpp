@@ -16,8 +16,8 @@ TEST_F(ServiceTest, TwoShowsOnAStickAreListedAndTheOneThatIsTakenPlaysNext) {
   PutOnStick("matinee", &company_);
   plugged_ = true;
   const std::string listed = Play(1s);
-  EXPECT_THAT(listed, HasSubstr("> 1  evening"));
-  EXPECT_THAT(listed, HasSubstr("  2  matinee"));
+  EXPECT_THAT(listed, HasSubstr("> 1. evening"));
+  EXPECT_THAT(listed, HasSubstr("  2. matinee"));
   Strike(board::key::k1 + 1);
   EXPECT_THAT(Play(2s), HasSubstr("matinee: it is on the box; the face changes to it"));
   EXPECT_EQ(ReadFile(folder_ / "report" / "chosen").value_or(""), "1\n");
@@ -29,7 +29,7 @@ TEST_F(ServiceTest, ATheatresKeyIsTakenFromTheStickAndThenItsShow) {
   PutOnStick("guest", &theatre_);
   ASSERT_TRUE(SaveKey(theatre_, folder_ / "stick" / "theatre"));
   plugged_ = true;
-  EXPECT_THAT(Play(1s), HasSubstr("2  key theatre  " + show::Fingerprint(theatre_.public_key())));
+  EXPECT_THAT(Play(1s), HasSubstr("2. key theatre  " + show::Fingerprint(theatre_.public_key())));
   Strike(board::key::k1);
   EXPECT_THAT(Play(1s), HasSubstr("guest: this box does not trust its signer"));
   Strike(board::key::k1 + 1);
@@ -98,7 +98,7 @@ TEST_F(ServiceTest, AStickOfAnotherFileSystemIsSaidToBeOneAndAGoodOneIsListedAft
   EXPECT_THAT(Play(1s), HasSubstr("it has to be FAT32 or exFAT (mount the stick"));
   unreadable_ = false;
   plugged_ = true;
-  EXPECT_THAT(Play(1s), HasSubstr("> 1  evening"));
+  EXPECT_THAT(Play(1s), HasSubstr("> 1. evening"));
   plugged_ = false;
   EXPECT_THAT(Play(1s), HasSubstr("plug a stick in"));
   Strike(board::key::k1);
@@ -110,7 +110,7 @@ TEST_F(ServiceTest, AStickOfAnotherFileSystemIsSaidToBeOneAndAGoodOneIsListedAft
 TEST_F(ServiceTest, AKeyIsTakenAsItWasShownThoughTheStickSaysAnotherLater) {
   ASSERT_TRUE(SaveKey(theatre_, folder_ / "stick" / "theatre"));
   plugged_ = true;
-  EXPECT_THAT(Play(1s), HasSubstr("1  key theatre  " + show::Fingerprint(theatre_.public_key())));
+  EXPECT_THAT(Play(1s), HasSubstr("1. key theatre  " + show::Fingerprint(theatre_.public_key())));
   const auto other = show::MakeKey().value();
   fs::remove(folder_ / "stick" / "theatre.pub");
   fs::remove(folder_ / "stick" / "theatre");
@@ -161,8 +161,8 @@ TEST_F(ServiceTest, OneGoesBackToTheShowBeforeAndToTheBoxsOwn) {
   const std::string evening = store::ReadChoice(folder_ / "shows").current;
   Strike(board::key::k1 + 1);
   const std::string said = Play(2s);
-  EXPECT_THAT(said, HasSubstr("  3  back to the show before\n"));
-  EXPECT_THAT(said, HasSubstr("  4  back to the box's own show\n"));
+  EXPECT_THAT(said, HasSubstr("  3. back to the show before\n"));
+  EXPECT_THAT(said, HasSubstr("  4. back to the box's own show\n"));
   Strike(board::key::k1 + 2);
   EXPECT_THAT(Play(1s), HasSubstr("back to the show before: it is on the box"));
   EXPECT_EQ(store::ReadChoice(folder_ / "shows").current, evening);
@@ -196,9 +196,9 @@ TEST_F(ServiceTest, ManyShowsLeaveRoomForTheKeyAndTheRestIsCounted) {
   ASSERT_TRUE(SaveKey(theatre_, folder_ / "stick" / "theatre"));
   plugged_ = true;
   const std::string said = Play(1s);
-  EXPECT_THAT(said, HasSubstr("  8  h  "));
-  EXPECT_THAT(said, HasSubstr("  9  key theatre  "));
-  EXPECT_THAT(said, HasSubstr("  10  support file for a technician"));
+  EXPECT_THAT(said, HasSubstr("  8. h  "));
+  EXPECT_THAT(said, HasSubstr("  9. key theatre  "));
+  EXPECT_THAT(said, HasSubstr("  10. support file for a technician"));
   EXPECT_THAT(said, HasSubstr("  and 1 more on the stick"));
   Strike(board::key::k0);
   EXPECT_THAT(Play(1s), HasSubstr("it is on the stick, for a technician")) << "the key 0 is the tenth line's";
@@ -211,8 +211,8 @@ TEST_F(ServiceTest, NamesInCapitalsAreSeen) {
   fs::rename(folder_ / "stick" / "theatre.pub", folder_ / "stick" / "THEATRE.PUB");
   plugged_ = true;
   const std::string said = Play(1s);
-  EXPECT_THAT(said, HasSubstr("> 1  EVENING"));
-  EXPECT_THAT(said, HasSubstr("  2  key THEATRE"));
+  EXPECT_THAT(said, HasSubstr("> 1. EVENING"));
+  EXPECT_THAT(said, HasSubstr("  2. key THEATRE"));
 }
 
 // Both a file's name and what a trial says come from the stick.

@@ -35,7 +35,7 @@ TEST_F(SettingsTest, OfAStickAreShownAsWhatTheyChangeAndCountFromTheNextStartOn)
   plugged_ = true;
   const std::string asked = Choose("settings box");
   EXPECT_THAT(asked, HasSubstr(Words(Message::kAskChange, Language::kEnglish)));
-  EXPECT_THAT(asked, HasSubstr("> 1  leave the settings as they are"));
+  EXPECT_THAT(asked, HasSubstr("> 1. leave the settings as they are"));
   EXPECT_THAT(asked, HasSubstr("changed profile  \"stage\" -> \"kiosk\""));
   EXPECT_THAT(asked, HasSubstr("changed lines.go  0 -> 3"));
   EXPECT_THAT(asked, HasSubstr("new     stick.left.dead_zone  0.1"));
@@ -127,10 +127,10 @@ TEST_F(SettingsTest, CanBeChosenFromTheListWithoutAStickAndCommentsStay) {
   Play(1s);
   Strike(board::key::kPageUp);
   const std::string list = Choose("settings of this box");
-  EXPECT_THAT(list, HasSubstr("2  profile  stage"));
-  EXPECT_THAT(list, HasSubstr("4  operators' monitor  none"));
+  EXPECT_THAT(list, HasSubstr("2. profile  stage"));
+  EXPECT_THAT(list, HasSubstr("4. operators' monitor  none"));
   const std::string values = Choose("operators' monitor");
-  EXPECT_THAT(values, HasSubstr("2  none  as it is\n  3  HDMI-A-1\n  4  DP-2\n"));
+  EXPECT_THAT(values, HasSubstr("2. none  as it is\n  3. HDMI-A-1\n  4. DP-2\n"));
   EXPECT_THAT(Choose("DP-2"), HasSubstr("new     monitor_screen  \"DP-2\""));
   EXPECT_THAT(Choose("yes, change them"), HasSubstr("monitor_screen: switch the box off and on"));
   EXPECT_EQ(Text(kFile), std::string("monitor_screen = \"DP-2\"\n") + kOld);

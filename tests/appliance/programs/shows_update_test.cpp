@@ -47,7 +47,7 @@ class UpdateOnStick : public ServiceTest {
 };
 
 TEST_F(UpdateOnStick, IsListedWithItsVersionAndWhatIsNew) {
-  EXPECT_THAT(Play(seconds(1)), HasSubstr("> 1  update box  version 12, it blinks"));
+  EXPECT_THAT(Play(seconds(1)), HasSubstr("> 1. update box  version 12, it blinks"));
 }
 
 TEST_F(UpdateOnStick, SaysWhatIsNewInJapaneseAndEndsBehindALetter) {
@@ -108,7 +108,7 @@ TEST_F(UpdateOnStick, ThatWaitsIsTriedByARestartWithoutTheStickAsWell) {
   EXPECT_TRUE(WriteWholeFile(folder_ / "pending", {AsBytes("12 B 0\n")}));
   EXPECT_THAT(Play(seconds(1)), Not(HasSubstr("restart the box"))) << "the list is shut";
   Strike(board::key::kPageUp);
-  EXPECT_THAT(Play(seconds(1)), HasSubstr("> 1  restart the box to try version 12"));
+  EXPECT_THAT(Play(seconds(1)), HasSubstr("> 1. restart the box to try version 12"));
   Strike(board::key::k1);
   Play(seconds(1));
   EXPECT_EQ(Asked(), "restart");

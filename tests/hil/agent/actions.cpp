@@ -25,6 +25,12 @@ bool IsVariable(const std::string& word) {
   return word.find('=') < word.find('/');
 }
 
+// The path as openat(2) takes it from a root folder.
+const char* Below(const std::string& path) {
+  const auto from = path.find_first_not_of('/');
+  return path.c_str() + (from == std::string::npos ? 0 : from);
+}
+
 [[noreturn]] void Become(int root, const std::vector<std::string>& words, int output) {
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);
@@ -113,9 +119,7 @@ Result<std::string> Started::Said(const std::string& number) const {
 }
 
 Result<std::string> ReadIn(int root, const std::string& path) {
-  const auto from = path.find_first_not_of('/');
-  const UniqueFd fd(
-      ::openat(root, path.c_str() + (from == std::string::npos ? 0 : from), O_RDONLY | O_CLOEXEC));
+  const UniqueFd fd(::openat(root, Below(path), O_RDONLY | O_CLOEXEC));
   if (!fd.valid()) return FailErrno("open " + path);
   std::string text(kMostText, '\0');
   std::size_t bytes = 0;
@@ -127,13 +131,33 @@ Result<std::string> ReadIn(int root, const std::string& path) {
 }
 
 Result<std::string> WriteIn(int root, const std::string& path, const std::string& text) {
-  const auto from = path.find_first_not_of('/');
-  const UniqueFd fd(
-      ::openat(root, path.c_str() + (from == std::string::npos ? 0 : from), O_WRONLY | O_CLOEXEC));
+  const UniqueFd fd(::openat(root, Below(path), O_WRONLY | O_CLOEXEC));
   if (!fd.valid()) return FailErrno("open " + path);
   const std::string line = text + "\n";
   if (::write(fd.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
     return FailErrno("write " + path);
+  return std::string();
+}
+
+// Room is reserved and not written, which takes no time: in large pieces first, as a disk has them.
+Result<std::string> FillBy(int root, const std::string& path) {
+  constexpr off_t kLargest_bytes = off_t{1} << 30, kLeast_bytes = 1024;
+  const UniqueFd fd(::openat(root, Below(path), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  if (!fd.valid()) return FailErrno("make " + path);
+  off_t filled = 0;
+  for (off_t piece = kLargest_bytes; piece >= kLeast_bytes;) {
+    if (::fallocate(fd.get(), 0, filled, piece) == 0)
+      filled += piece;
+    else if (errno == ENOSPC)
+      piece /= 2;
+    else
+      return FailErrno("fill " + path);
+  }
+  return std::to_string(filled);
+}
+
+Result<std::string> RemoveIn(int root, const std::string& path) {
+  if (::unlinkat(root, Below(path), 0) < 0) return FailErrno("remove " + path);
   return std::string();
 }
 

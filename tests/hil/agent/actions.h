@@ -42,6 +42,11 @@ Result<std::string> ReadIn(int root, const std::string& path);
 // /dev/kmsg without that end to nobody until the next record comes. Errors: those of the file.
 Result<std::string> WriteIn(int root, const std::string& path, const std::string& text);
 
+// Makes a file below the root folder `root` that takes all the room its disk has left; its bytes. And takes a file away. Errors:
+// those of the file.
+Result<std::string> FillBy(int root, const std::string& path);
+Result<std::string> RemoveIn(int root, const std::string& path);
+
 // The numbers of the processes of that name, in the order of /proc, with blanks between; empty where there are none.
 std::string ProcessesOf(const std::string& name);
 

@@ -7,6 +7,8 @@
 //   events MS                    what changed on it meanwhile
 //   read PATH                    a file of the box
 //   write PATH TEXT              a line into a file of the box that is there
+//   fill PATH                    a file of the box that takes all the room of its disk; its bytes
+//   remove PATH                  takes a file of the box away
 //   tool WORDS...                a program of the bench's disk
 //   own WORDS...                 a program of the box; "bench:PATH" in its words is a file of the bench's disk
 //   start WORDS...               the same, left running; its number
@@ -97,6 +99,8 @@ class Agent {
     if (verb == "read" && words.size() == 1) return kaori::agent::ReadIn(roots_.box.get(), words[0]);
     if (verb == "write" && words.size() == 2)
       return kaori::agent::WriteIn(roots_.box.get(), words[0], words[1]);
+    if (verb == "fill" && words.size() == 1) return kaori::agent::FillBy(roots_.box.get(), words[0]);
+    if (verb == "remove" && words.size() == 1) return kaori::agent::RemoveIn(roots_.box.get(), words[0]);
     if (verb == "processes" && words.size() == 1) return kaori::agent::ProcessesOf(words[0]);
     if (verb == "signal" && words.size() == 2) return kaori::agent::SignalAll(words[0], words[1]);
     return kaori::FailInput("not understood: " + question);

@@ -1,0 +1,132 @@
+// Whatever ends, and however full the disk is: the screen is never dark, and the box plays on.
+#include <array>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/held_picture.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+// A small screen, so that the stage is back sooner.
+const Setup kStormSetup{.plugged = false, .sound = false, .width_px = 480, .height_px = 270};
+// The stage may be starting, which takes all that an emulated machine has.
+constexpr Duration kStormAnswer = seconds(120);
+constexpr int kKills = 30;
+// Those that hold the card come first, so that both are away at once.
+constexpr std::array kAllPrograms{"kaori-stage", "kaori-fdkeeper", "kaori-input", "kaori-lips"};
+// In the folder of the stage's own files: the last face and the show log are written beside it.
+constexpr const char* kFiller = "/var/lib/kaori/own/filler";
+
+// How many processes of that name there were to kill.
+Result<int> KillAll(Scene& scene, const char* program) {
+  const auto told = scene.target.agent().Ask(fmt::format("signal {} 9", program), kStormAnswer);
+  if (!told) return tl::unexpected(told.error());
+  return std::atoi(told->c_str());
+}
+
+// Looks at the screen without a pause until a stage that was made after `since_ns` draws.
+Result<void> AwaitStage(Scene& scene, HeldPicture& held, std::int64_t since_ns) {
+  const Time until = scene.target.clock().now() + seconds(180);
+  while (scene.target.clock().now() < until) {
+    if (auto ok = held.Look(scene); !ok) return ok;
+    const auto board = scene.target.Board();
+    if (board && board->stage.live && board->stage.read_ns > since_ns) return {};
+    scene.target.For(milliseconds(20));
+  }
+  return Fail(std::errc::timed_out, "see the stage again after it was killed");
+}
+
+// By the guest's clock, in nanoseconds, as the board has its times.
+Result<std::int64_t> Now(Scene& scene) {
+  const auto board = scene.target.Board();
+  if (!board) return tl::unexpected(board.error());
+  return board->now_ns;
+}
+
+// Each new stage is killed as soon as its process is there: few of them live long enough to draw.
+Result<void> KillAgainAndAgain(Scene& scene, HeldPicture& held) {
+  const Time began = scene.target.clock().now();
+  for (int killed = 0; killed < kKills;) {
+    const auto found = KillAll(scene, "kaori-stage");
+    if (!found) return tl::unexpected(found.error());
+    killed += *found;
+    if (auto ok = held.Look(scene); !ok) return ok;
+  }
+  scene.finding.figures["storm_kills_s"] = Seconds(scene.target.clock().now() - began);
+  const auto now = Now(scene);
+  return now ? AwaitStage(scene, held, *now) : tl::unexpected(now.error());
+}
+
+// The card's file is kept by systemd while both who hold it are away.
+Result<void> KillEverything(Scene& scene, HeldPicture& held) {
+  for (const char* const program : kAllPrograms) {
+    const auto found = KillAll(scene, program);
+    if (!found) return tl::unexpected(found.error());
+    if (*found == 0) return Fail(std::errc::no_such_process, fmt::format("kill {}", program));
+  }
+  const auto now = Now(scene);
+  return now ? AwaitStage(scene, held, *now) : tl::unexpected(now.error());
+}
+
+// Nothing can be kept then, and everything that keeps something is started anew.
+Result<void> FillTheDisk(Scene& scene, HeldPicture& held) {
+  const auto filled = scene.target.agent().Ask(std::string("fill ") + kFiller, kStormAnswer);
+  if (!filled) return tl::unexpected(filled.error());
+  scene.finding.figures["storm_filled_mb"] = std::atof(filled->c_str()) / 1e6;
+  auto ok = KillEverything(scene, held);
+  const auto freed = scene.target.agent().Ask(std::string("remove ") + kFiller, kStormAnswer);
+  if (ok && !freed) ok = tl::unexpected(freed.error());
+  return ok;
+}
+
+// One part after the other, and one count of pictures over all of them.
+Result<void> Storm(Scene& scene) {
+  auto held = HoldFace(scene, "storm", "Before anything ends");
+  if (!held) return tl::unexpected(held.error());
+  for (const auto part : {KillAgainAndAgain, KillEverything, FillTheDisk})
+    if (auto ok = part(scene, *held); !ok) return ok;
+  if (auto ok = scene.ShootFace("storm", "After all of it"); !ok) return ok;
+  scene.finding.figures["storm_pictures"] = held->pictures;
+  scene.finding.figures["storm_pictures_wrong"] = held->wrong;
+  scene.finding.said = fmt::format(
+      "the stage was killed {} times in {:.0f} s, then all programs at once, then all of them with a full "
+      "data partition: {} pictures, "
+      "{} wrong; largest difference {:.3f} of {}",
+      kKills, scene.finding.figures["storm_kills_s"], held->pictures, held->wrong, held->largest,
+      HeldPicture::kMovedByItself);
+  return held->wrong == 0 ? Result<void>{} : FailInput(scene.finding.said);
+}
+
+// The control: without a stage and without who keeps its card, the picture goes, and that is seen.
+Result<void> WithoutItsKeepersThePictureGoes(Scene& scene) {
+  auto held = HoldFace(scene, "storm-control", "The face");
+  if (!held) return tl::unexpected(held.error());
+  const auto both = [&](const char* verb) {
+    return scene.target.agent().Ask(
+        fmt::format("own /usr/bin/systemctl {} kaori-stage.service kaori-fdkeeper.service", verb),
+        kStormAnswer);
+  };
+  if (const auto stopped = both("stop"); !stopped) return tl::unexpected(stopped.error());
+  auto ok = held->Look(scene);
+  if (const auto started = both("start"); ok && !started) ok = tl::unexpected(started.error());
+  if (!ok) return ok;
+  return held->wrong > 0 ? Result<void>{} : FailInput("the picture stays without anybody who holds it");
+}
+
+}  // namespace
+
+std::vector<Check> StormChecks() {
+  return {{.name = "storm",
+           .sentence = "Whatever ends, and with a full disk, the screen is never dark",
+           .run = Storm,
+           .setup = kStormSetup,
+           .control = WithoutItsKeepersThePictureGoes,
+           .ends_programs = true}};
+}
+
+}  // namespace kaori::hil
