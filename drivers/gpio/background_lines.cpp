@@ -16,8 +16,8 @@ constexpr std::size_t kMostEdges = 512;
 // A line that bounces without end must not look like a chip that does not answer.
 constexpr int kReadAtOnce = 256;
 constexpr std::uint32_t kLevelBits = 32;  // The bits of a level.
-// A descriptor that stays readable with a fault behind it must not keep a processor busy.
-constexpr int kAfterFault_ms = 5;
+// As often as a polled line is read: a fault that lasts is told so often, and one of a moment is over by then.
+constexpr int kAfterFault_ms = 40;
 
 void Empty(const UniqueFd& event) {
   eventfd_t count = 0;
@@ -43,6 +43,7 @@ BackgroundLines::BackgroundLines(std::unique_ptr<ports::GpioLines> lines, std::s
       told_(std::move(told)),
       wake_(std::move(wake)),
       levels_(levels),
+      given_(levels),
       wanted_(outputs),
       thread_([this] { Run(); }) {}
 
@@ -58,7 +59,7 @@ BackgroundLines::~BackgroundLines() {
 Result<std::uint32_t> BackgroundLines::Levels() {
   const std::scoped_lock lock(mutex_);
   if (IsLost()) return tl::unexpected(*gone_);
-  return levels_;
+  return edges_.empty() ? levels_ : given_;
 }
 
 Result<GpioEdge> BackgroundLines::ReadEdge() {
@@ -66,6 +67,8 @@ Result<GpioEdge> BackgroundLines::ReadEdge() {
   if (!edges_.empty()) {
     const GpioEdge edge = edges_.front();
     edges_.pop_front();
+    const std::uint32_t bit = 1U << edge.line;
+    given_ = edge.active ? given_ | bit : given_ & ~bit;
     if (edges_.empty() && !fault_ && !gone_) Empty(told_);
     return edge;
   }
@@ -94,24 +97,37 @@ bool BackgroundLines::IsLost() {
 void BackgroundLines::Run() {
   while (Wait()) {
     DriveOutputs();
-    if (const auto read = ReadLines(); !read) Report(read.error());
+    if (const auto read = ReadLines(); !read) {
+      wants_levels_ = true;
+      Report(read.error());
+      continue;
+    }
+    const std::scoped_lock lock(mutex_);
+    asked_ = {};
   }
 }
 
+// What the chip owes after a fault is asked for again soon, and it owes it since before the fault.
 bool BackgroundLines::Wait() {
   std::array<pollfd, 2> waiting{pollfd{.fd = wake_.get(), .events = POLLIN, .revents = 0},
                                 pollfd{.fd = lines_->pollable(), .events = POLLIN, .revents = 0}};
-  const bool had_fault = [this] {
+  const bool owes = [this] {
     const std::scoped_lock lock(mutex_);
-    asked_ = {};
-    return fault_.has_value();
+    return asked_ != Time{};
   }();
-  if (had_fault) ::poll(waiting.data(), 1, kAfterFault_ms);
-  ::poll(waiting.data(), waiting.size(), -1);
+  if (owes)
+    ::poll(waiting.data(), 1, kAfterFault_ms);
+  else
+    ::poll(waiting.data(), waiting.size(), -1);
   const std::scoped_lock lock(mutex_);
   if (waiting[0].revents != 0) Empty(wake_);
-  asked_ = clock_.now();
+  if (!owes) asked_ = clock_.now();
   return !is_ending_ && !gone_;
+}
+
+void BackgroundLines::NoteAnswer() {
+  const std::scoped_lock lock(mutex_);
+  asked_ = clock_.now();
 }
 
 // A lamp that fails is no reason to lose the switches: a chip that is gone is noticed by reading.
@@ -120,15 +136,21 @@ void BackgroundLines::DriveOutputs() {
     std::unique_lock lock(mutex_);
     const auto wanted = std::exchange(wanted_[line], std::nullopt);
     lock.unlock();
-    if (wanted) static_cast<void>(lines_->Drive(static_cast<std::uint32_t>(line), *wanted));
+    if (!wanted) continue;
+    const bool is_driven = lines_->Drive(static_cast<std::uint32_t>(line), *wanted).has_value();
+    if (is_driven) NoteAnswer();
+    lock.lock();
+    if (!is_driven && !wanted_[line]) wanted_[line] = wanted;
   }
 }
 
-// The kernel keeps a bounded number of edges: what it lost shows in the levels.
+// The kernel keeps a bounded number of edges: what it lost shows in the levels, which are asked for until they are known. What is made up
+// of them is stamped by the time before, so that no edge that comes meanwhile is older.
 Result<void> BackgroundLines::ReadLines() {
   auto edge = lines_->ReadEdge();
-  const bool any = edge.has_value();
-  for (int n = 1; edge && n < kReadAtOnce; ++n) {
+  for (int n = 0; edge && n < kReadAtOnce; ++n) {
+    wants_levels_ = true;
+    NoteAnswer();
     Give(*edge);
     edge = lines_->ReadEdge();
   }
@@ -138,11 +160,13 @@ Result<void> BackgroundLines::ReadLines() {
     return {};
   }
   if (edge.error().cause != std::errc::resource_unavailable_try_again) return tl::unexpected(edge.error());
-  if (!any) return {};
+  if (!wants_levels_) return {};
+  const Time before = clock_.now();
   const auto levels = lines_->Levels();
   if (!levels) return tl::unexpected(levels.error());
+  wants_levels_ = false;
   for (std::uint32_t line = 0; line < kLevelBits; ++line)
-    Give({.at = clock_.now(), .line = line, .active = (*levels >> line & 1U) != 0});
+    Give({.at = before, .line = line, .active = (*levels >> line & 1U) != 0});
   return {};
 }
 

@@ -9,7 +9,15 @@
 
 namespace kaori::sim {
 
-enum class OwnedKind : std::uint8_t { kPowerMate, kShuttlePro, kExtreme3dPro, kAttack3, kT16000m };
+// kDragonRise: 0079:0011, whose own descriptor says X four times; Linux gives it another one, with which it plays.
+enum class OwnedKind : std::uint8_t {
+  kPowerMate,
+  kShuttlePro,
+  kExtreme3dPro,
+  kAttack3,
+  kT16000m,
+  kDragonRise
+};
 
 // One device. Verbs that it has no part for do nothing. Reports leave in the order of what was done, one for
 // each change: the real ones are slower than a hand in a test. One thread.

@@ -195,6 +195,7 @@ Result<void> TryUnknownDevices(Scene& scene, bool wrong) {
   return {};
 }
 
+// One after the other at the same port, each awaited until the box has judged it.
 Result<void> Liars(Scene& scene) {
   return TryUnknownDevices(scene, false);
 }

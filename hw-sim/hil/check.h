@@ -149,6 +149,8 @@ std::vector<Check> CameraChecks();
 std::vector<Check> LineChecks();
 // The machine's own sound card.
 std::vector<Check> SoundChecks();
+// A sound card on USB.
+std::vector<Check> UsbSoundChecks();
 // The lip camera by libcamera's handler of USB video.
 std::vector<Check> LibcameraChecks();
 // A voice in a loop of the kernel.
@@ -169,8 +171,13 @@ std::vector<Check> AloneChecks();
 std::vector<Check> SecureBootChecks();
 // An update by stick, in a PC with UEFI.
 std::vector<Check> UpdateChecks();
+// Updates to bad versions, which start all the same.
+std::vector<Check> BadUpdateChecks();
 // The power goes at any moment, in a PC with UEFI.
 std::vector<Check> PowerCycleChecks();
+// What a program leaves that crashes.
+std::vector<Check> CrashChecks();
+std::vector<Check> GivesWayChecks();
 // Programs of the box are killed again and again, and its disk is full.
 std::vector<Check> StormChecks();
 // The disk has spoilt the root's show, in such a PC.

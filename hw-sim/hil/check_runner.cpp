@@ -209,6 +209,7 @@ Result<void> CheckRunner::StartBox(const Setup& setup) {
   return ok;
 }
 
+// Into the report, so that a failure in the night can be read in the morning.
 void CheckRunner::AddTraces(const std::string& check, Finding& finding) {
   const std::string file = check + "-failed.png";
   if (target_.machine().Shoot(0, options_.report + "/" + file))

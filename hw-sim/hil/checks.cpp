@@ -28,6 +28,7 @@ Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
   return {};
 }
 
+// The picture stays in the report in either case: what is there in place of a face is worth seeing.
 Result<void> Scene::ShootFace(const std::string& name, const std::string& caption) {
   if (auto ok = Shoot(name, caption); !ok) return ok;
   const auto picture = LookAt(folder + "/" + finding.pictures.back().file);
@@ -100,14 +101,15 @@ Result<void> WantFoundWrong(const Result<void>& tried, const char* passed) {
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part :
-       {ScreenChecks(),        PlayChecks(),     InputChecks(),      SurfaceChecks(),    ChipChecks(),
-        SerialBoxChecks(),     LatencyChecks(),  CameraChecks(),     LineChecks(),       SoundChecks(),
-        LibcameraChecks(),     CableChecks(),    HangChecks(),       ToolChecks(),       ReportChecks(),
-        AuthorisationChecks(), AloneChecks(),    SpeedChecks(),      GadgetChecks(),     LoopChecks(),
-        DamagedDiskChecks(),   DialLineChecks(), SamplingChecks(),   DisplayChecks(),    OutputChecks(),
-        LastFaceChecks(),      StormChecks(),    RecoveryChecks(),   PowerChecks(),      StickChecks(),
-        BackupChecks(),        DeskChecks(),     DataChecks(),       DiskChecks(),       SecureBootChecks(),
-        StartChecks(),         UpdateChecks(),   PowerCycleChecks(), SpoiltShowChecks(), MediumChecks()})
+       {ScreenChecks(),    PlayChecks(),          InputChecks(),       SurfaceChecks(),  ChipChecks(),
+        SerialBoxChecks(), LatencyChecks(),       CameraChecks(),      LineChecks(),     SoundChecks(),
+        LibcameraChecks(), CableChecks(),         HangChecks(),        CrashChecks(),    ToolChecks(),
+        ReportChecks(),    AuthorisationChecks(), AloneChecks(),       UsbSoundChecks(), SpeedChecks(),
+        GadgetChecks(),    LoopChecks(),          DamagedDiskChecks(), DialLineChecks(), SamplingChecks(),
+        DisplayChecks(),   OutputChecks(),        LastFaceChecks(),    StormChecks(),    RecoveryChecks(),
+        PowerChecks(),     StickChecks(),         GivesWayChecks(),    BackupChecks(),   DeskChecks(),
+        DataChecks(),      DiskChecks(),          SecureBootChecks(),  StartChecks(),    UpdateChecks(),
+        BadUpdateChecks(), PowerCycleChecks(),    SpoiltShowChecks(),  MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

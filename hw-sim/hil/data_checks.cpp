@@ -132,6 +132,7 @@ Result<void> WantMended(Scene& scene, const Ruin& ruin) {
   return ok;
 }
 
+// Each on a disk of its own, since what is mended is not ruined any more.
 Result<void> Ruined(Scene& scene) {
   for (const Ruin& ruin : kRuins)
     if (auto ok = WantMended(scene, ruin); !ok) return ok;

@@ -138,6 +138,7 @@ Result<void> IsNotThereWithoutAnAddress(Scene& scene) {
   return ok;
 }
 
+// As a visitor of the network, by HTTPS and nothing else.
 Result<void> Desk(Scene& scene) {
   PlayStrategy box(scene.target);
   auto ok = box.Play(DeskSetup(kWithAddress));

@@ -138,6 +138,7 @@ Result<void> WantFaceByFirmware(Scene& scene, const Pc& pc, const std::string& d
   return ok;
 }
 
+// Three kinds of PC: what firmware starts by itself differs by bus.
 Result<void> Uefi(Scene& scene) {
   for (const Pc& pc : kPcs)
     if (auto ok = WantFaceByFirmware(scene, pc, "", kLongestStart); !ok) return ok;

@@ -62,6 +62,7 @@ Result<void> Gadgets(Scene& scene) {
 
 }  // namespace
 
+// The bench's kernel has dummy_hcd, the box's has not.
 std::vector<Check> GadgetChecks() {
   return {{"gadget",
            "The same devices by a USB gadget",

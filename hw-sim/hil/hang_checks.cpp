@@ -101,6 +101,7 @@ Result<Duration> Hang(Scene& scene, const HungProgram& program, Duration longest
   return FailInput(fmt::format("{} was replaced, and delivers nothing", program.name));
 }
 
+// The input program first: what it delivers is what the operators miss at once.
 Result<void> Hung(Scene& scene) {
   for (const HungProgram& program : kHungPrograms) {
     if (auto ok = WantPaceKnown(scene, program); !ok) return ok;

@@ -13,10 +13,14 @@ struct HeldPicture {
   // Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
   static constexpr double kMovedByItself = 0.06;
 
-  std::string face{};  // The file of the picture before.
+  // The file of the picture before.
+  std::string face{};
+  // How many were looked at since,
   int pictures = 0;
+  // and how many of them were other pictures.
   int wrong = 0;
-  double largest = 0;  // The difference of the worst of them.
+  // The difference of the worst of them.
+  double largest = 0;
 
   // Compares the screen with the face before. Errors: those of the picture.
   Result<void> Look(Scene& scene);

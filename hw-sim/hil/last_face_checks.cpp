@@ -165,6 +165,7 @@ Result<Return> StartAgain(Scene& scene, const std::string& disk, const std::stri
   return Return{*light_apart, *face_apart, times->light_s};
 }
 
+// Of two starts, between which the power was off.
 Result<void> WantSame(const Return& found, const char* what) {
   if (std::max(found.light, found.face) <= kSameLook) return {};
   return FailInput(

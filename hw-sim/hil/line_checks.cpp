@@ -197,6 +197,7 @@ Result<void> StopTheStage(Scene& scene) {
   return WantTally(scene, true);
 }
 
+// All lines are let go in the end: checks that follow find them open.
 Result<void> Lines(Scene& scene) {
   return WithLines(scene, PlayLines);
 }

@@ -121,6 +121,7 @@ Result<void> WantFaceFrom(Scene& scene, const std::string& card, Duration longes
   return ok;
 }
 
+// By PCI's host controller for SD cards, as small PCs have it.
 Result<void> PlaysFromSd(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "sd.disk", "data");

@@ -33,6 +33,7 @@ Result<std::uint64_t> KernelOfB(const std::string& disk) {
   return boot->at_bytes + at;
 }
 
+// From the check's own chance, so that a run can be repeated.
 Result<void> PutNoise(const std::string& disk, std::uint64_t at_bytes, std::mt19937& chance) {
   std::string noise(kNoise_bytes, '\0');
   for (char& byte : noise) byte = static_cast<char>(chance());

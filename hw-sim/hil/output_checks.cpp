@@ -35,6 +35,7 @@ const Setup kStatusScreen{.plugged = false,
                           .height_px = 240,
                           .settings = "profile = \"bench\"\nstatus_screen = \"Virtual-2\"\n"};
 
+// By the size that a viewer of that output asks for: QEMU then plugs a screen of it in.
 Result<void> PlugOutput(Scene& scene, int head, const ScreenSize& size) {
   return scene.target.machine().PlugScreen(head, size.width_px, size.height_px);
 }

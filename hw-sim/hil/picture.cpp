@@ -195,6 +195,7 @@ Result<void> WriteBlack(const std::string& file, const std::string& target) {
   return Write(*points, target);
 }
 
+// By measures alone: whether it is she is for whoever opens the report.
 bool ShowsAFace(const PictureView& picture) {
   return picture.lit >= kLeastLit && picture.colours >= kLeastColours;
 }

@@ -29,6 +29,7 @@ struct WrittenByStart {
   bool data = false;
 };
 
+// Of a PC that is off, by the log that QEMU kept of its disk.
 Result<WrittenByStart> WrittenBy(const UpdatedPc& pc) {
   const auto data = PartitionSpan(pc.Disk(), "data");
   if (!data) return tl::unexpected(data.error());

@@ -159,6 +159,7 @@ Result<void> QemuDriver::PlugStick(const std::string& image, bool writable) {
       {{"driver", "usb-storage"}, {"drive", name}, {"id", "unauthorised"}, {"bus", "xhci.0"}, {"port", "8"}});
 }
 
+// At once, as a cable is pulled: the machine is not asked.
 Result<void> QemuDriver::PullUnauthorised() {
   if (!qmp_) return Fail(std::errc::no_such_device, "unplug the unauthorised device");
   return qmp_->Do("device_del", {{"id", "unauthorised"}});

@@ -157,9 +157,12 @@ void AddNetworkCard(const Setup& setup, std::vector<std::string>& command) {
 }
 
 // Two cards: a loudspeaker that the bench hears, and a microphone that hears silence. QEMU's sound to a file
-// has no microphone.
-void AddSound(const QemuOptions& options, std::vector<std::string>& command) {
+// has no microphone, and neither has its card on USB, which takes the port that is left free.
+void AddSound(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
+  if (!setup.sound && !setup.usb_sound) return;
   Add(command, {"-audiodev", fmt::format("wav,id=sound,path={},out.frequency=48000", SoundPath(options))});
+  if (setup.usb_sound)
+    return Add(command, {"-device", fmt::format("usb-audio,audiodev=sound,bus=xhci.0,port={}", kUsbPorts)});
   Add(command, {"-device", "ich9-intel-hda,id=out", "-device", "hda-output,bus=out.0,audiodev=sound"});
   Add(command, {"-audiodev", "none,id=silence", "-device", "ich9-intel-hda,id=in", "-device",
                 "hda-micro,bus=in.0,audiodev=silence"});
@@ -261,7 +264,7 @@ std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& se
   Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
   AddUsb(options, setup, command);
   AddNetworkCard(setup, command);
-  if (setup.sound) AddSound(options, command);
+  AddSound(options, setup, command);
   return command;
 }
 

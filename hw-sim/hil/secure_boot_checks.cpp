@@ -107,6 +107,7 @@ bool IsRefused(const std::string& console) {
          console.find("Security Violation") != std::string::npos;
 }
 
+// Firmware that refuses a loader shows its own screen, which is no face either.
 Result<void> WantLit(Scene& scene, const char* sentence) {
   if (auto ok = scene.target.Await([&] { return IsLit(scene); }, kLongestSecureStart,
                                    fmt::format("see the still: {}", sentence));

@@ -21,6 +21,8 @@ struct Setup {
   bool plugged = true;
   // It has sound cards.
   bool sound = true;
+  // One on USB instead, which only plays.
+  bool usb_sound = false;
   // The profile authorises them.
   bool keyboards = true;
   // The in-guest agent and the simulated devices are there. Without it the image runs alone, and the serial

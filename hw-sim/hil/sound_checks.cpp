@@ -9,6 +9,7 @@
 #include "hw-sim/devices/voice_file.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/paused_unit.h"
+#include "hw-sim/hil/strategy.h"
 
 namespace kaori::hil {
 namespace {
@@ -25,6 +26,9 @@ constexpr const char* kVoice = "/tmp/voice.wav";
 constexpr int kVoiceSeconds = 4;
 constexpr double kLike = 0.6;   // Of a voice that is heard; what is none stays below a third.
 constexpr double kOpen = 0.25;  // How far a mouth must move.
+
+// A card on USB and no other.
+const Setup kUsbSound{.sound = false, .usb_sound = true, .width_px = 480, .height_px = 270};
 
 // A question whose answer does not matter.
 Result<void> Ask(Scene& scene, const std::string& question) {
@@ -82,6 +86,24 @@ Result<void> WantHearing(Scene& scene) {
   return {};
 }
 
+// The control within each check: before a voice is played none is heard. The finding says how it went. Errors: invalid_argument, it
+// is not heard then either.
+Result<void> PlayVoice(Scene& scene, const Loudspeaker& loudspeaker, const std::string& card) {
+  const double before = loudspeaker.HeardVoice();
+  if (before >= kLike) return FailInput("a voice is heard before one speaks");
+  // What the loudspeaker's control is called differs from card to card.
+  for (const char* const control : {"Master", "PCM", "Speaker"})
+    static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset {} 100% unmute", card, control)));
+  for (const std::string& question : {fmt::format("voice {} {}", kVoice, kVoiceSeconds),
+                                      // "plughw" converts the voice's one channel to the card's two.
+                                      fmt::format("tool aplay -q -D plughw:{},0 {}", card, kVoice)})
+    if (auto ok = Ask(scene, question); !ok) return ok;
+  const double after = loudspeaker.HeardVoice();
+  scene.finding.said = fmt::format(
+      "a voice played, and heard at the card's loudspeaker ({:.2f} like it; {:.2f} before)", after, before);
+  return after >= kLike ? Result<void>{} : FailInput(scene.finding.said);
+}
+
 // By tools of ALSA in the guest, and by a recording of what QEMU's card was given: a card that only pretends
 // to play is found.
 Result<void> Sound(Scene& scene) {
@@ -96,21 +118,48 @@ Result<void> Sound(Scene& scene) {
           fmt::format("tool arecord -q -D hw:{},0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav", cards[1]));
       !ok)
     return ok;
-  // The control within the check: before a voice is played none is heard.
-  const double before = loudspeaker.HeardVoice();
-  if (before >= kLike) return FailInput("a voice is heard before one speaks");
-  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
-  for (const std::string& question : {fmt::format("voice {} {}", kVoice, kVoiceSeconds),
-                                      // "plughw" converts the voice's one channel to the card's two.
-                                      fmt::format("tool aplay -q -D plughw:{},0 {}", cards[0], kVoice)})
-    if (auto ok = Ask(scene, question); !ok) return ok;
-  const double after = loudspeaker.HeardVoice();
-  scene.finding.said = fmt::format(
-      "the box hears its microphone; a second recorded; a voice played, and heard at the card's loudspeaker "
-      "({:.2f} like it; {:.2f} "
-      "before)",
-      after, before);
-  return after >= kLike ? Result<void>{} : FailInput(scene.finding.said);
+  if (auto ok = PlayVoice(scene, loudspeaker, cards[0]); !ok) return ok;
+  scene.finding.said = "the box hears its microphone; a second recorded; " + scene.finding.said;
+  return {};
+}
+
+// It is authorised, the box's own program plays through it, and what is played is heard.
+Result<void> PlayOnUsb(Scene& scene) {
+  const Loudspeaker loudspeaker(scene);
+  const auto cards = CardsOf(scene, "USB-Audio");
+  if (cards.empty()) return FailInput("the kernel does not show the sound card on USB");
+  const auto plays = [&] {
+    const auto said = scene.target.agent().Ask(
+        "own /usr/bin/journalctl -b --no-pager -o cat -n 200 -u kaori-lips", kSoundAnswer);
+    return said && said->find("loudspeaker: playing") != std::string::npos;
+  };
+  if (!scene.target.Until(plays, kSoundLongest))
+    return FailInput("the box plays nothing through a card on USB");
+  const PausedUnit others(scene, "kaori-lips.service");
+  if (auto ok = PlayVoice(scene, loudspeaker, cards[0]); !ok) return ok;
+  scene.finding.said = "the box plays through a card on USB; " + scene.finding.said;
+  return {};
+}
+
+// A machine of its own, since QEMU's card cannot be plugged in later.
+Result<void> UsbSound(Scene& scene) {
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(kUsbSound);
+  if (ok) ok = PlayOnUsb(scene);
+  box.Off();
+  return ok;
+}
+
+// The control: without the card nothing is played.
+Result<void> NothingPlaysWithoutIt(Scene& scene) {
+  PlayStrategy box(scene.target);
+  Setup silent = kUsbSound;
+  silent.usb_sound = false;
+  auto ok = box.Play(silent);
+  if (ok) ok = Ask(scene, "read /proc/asound/cards");  // The agent answers: no card is no silence of its own.
+  if (ok) ok = WantFoundWrong(PlayOnUsb(scene), "a card on USB is heard that is not there");
+  box.Off();
+  return ok;
 }
 
 // How far the mouth went by the voice while it was watched.
@@ -212,6 +261,15 @@ std::vector<Check> SoundChecks() {
            .run = Sound,
            .fails_without = "kaori-lips.service",
            .ends_programs = true}};
+}
+
+std::vector<Check> UsbSoundChecks() {
+  return {{.name = "usb-sound",
+           .sentence = "A sound card on USB plays, and what is played is heard",
+           .run = UsbSound,
+           .setup = kUsbSound,
+           .control = NothingPlaysWithoutIt,
+           .powers = true}};
 }
 
 std::vector<Check> LoopChecks() {

@@ -17,6 +17,7 @@ constexpr Duration kLongestStaying = minutes(6);
 // How long a box plays by which a show that is whole is not given up.
 constexpr Duration kPlaysOn = seconds(60);
 
+// The file from which the image's root was made.
 std::string ShowOf(const Scene& scene) {
   return scene.target.machine().options().image + "/root/usr/share/kaori/kaori.kaori";
 }

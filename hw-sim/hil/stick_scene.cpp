@@ -43,6 +43,7 @@ Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longes
   return FailInput(fmt::format("the box does not say \"{}\" of the stick, but \"{}\"", words, said));
 }
 
+// Write-protected: a stick of the bench is the same for each check.
 Result<void> Plug(Scene& scene, const char* stick) {
   return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick, false);
 }

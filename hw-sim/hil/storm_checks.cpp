@@ -1,7 +1,11 @@
 // Whatever ends, and however full the disk is: the screen is never dark, and the box plays on.
+#include <algorithm>
 #include <array>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/held_picture.h"
@@ -16,17 +20,24 @@ using std::chrono::seconds;
 const Setup kStormSetup{.plugged = false, .sound = false, .width_px = 480, .height_px = 270};
 // The stage may be starting, which takes all that an emulated machine has.
 constexpr Duration kStormAnswer = seconds(120);
-constexpr int kKills = 30;
-// Those that hold the card come first, so that both are away at once.
+// Of the stage, one after the other.
+constexpr std::size_t kKills = 30;
+// For each part: a stage of an emulated machine takes up to a minute.
+constexpr Duration kLongestStorm = seconds(300);
 constexpr std::array kAllPrograms{"kaori-stage", "kaori-fdkeeper", "kaori-input", "kaori-lips"};
 // In the folder of the stage's own files: the last face and the show log are written beside it.
 constexpr const char* kFiller = "/var/lib/kaori/own/filler";
 
-// How many processes of that name there were to kill.
-Result<int> KillAll(Scene& scene, const char* program) {
-  const auto told = scene.target.agent().Ask(fmt::format("signal {} 9", program), kStormAnswer);
+// A question of which only matters that it was understood.
+Result<void> TellStorm(Scene& scene, const std::string& question) {
+  const auto told = scene.target.agent().Ask(question, kStormAnswer);
   if (!told) return tl::unexpected(told.error());
-  return std::atoi(told->c_str());
+  return {};
+}
+
+// The numbers of the processes of that name; empty while there is none.
+std::string NumbersOf(Scene& scene, const char* program) {
+  return scene.target.agent().Ask(std::string("processes ") + program, kStormAnswer).value_or("");
 }
 
 // Looks at the screen without a pause until a stage that was made after `since_ns` draws.
@@ -50,11 +61,14 @@ Result<std::int64_t> Now(Scene& scene) {
 
 // Each new stage is killed as soon as its process is there: few of them live long enough to draw.
 Result<void> KillAgainAndAgain(Scene& scene, HeldPicture& held) {
-  const Time began = scene.target.clock().now();
-  for (int killed = 0; killed < kKills;) {
-    const auto found = KillAll(scene, "kaori-stage");
-    if (!found) return tl::unexpected(found.error());
-    killed += *found;
+  const Time began = scene.target.clock().now(), until = began + kLongestStorm;
+  for (std::set<std::string> killed; killed.size() < kKills;) {
+    if (scene.target.clock().now() > until)
+      return FailInput(fmt::format("the stage came back {} times only", killed.size()));
+    if (const std::string now = NumbersOf(scene, "kaori-stage"); !now.empty() && !killed.contains(now)) {
+      if (auto ok = TellStorm(scene, "signal kaori-stage 9"); !ok) return ok;
+      killed.insert(now);
+    }
     if (auto ok = held.Look(scene); !ok) return ok;
   }
   scene.finding.figures["storm_kills_s"] = Seconds(scene.target.clock().now() - began);
@@ -62,13 +76,17 @@ Result<void> KillAgainAndAgain(Scene& scene, HeldPicture& held) {
   return now ? AwaitStage(scene, held, *now) : tl::unexpected(now.error());
 }
 
-// The card's file is kept by systemd while both who hold it are away.
+// By the service manager at one stroke: its unit's store keeps the card's file while both who hold it are away.
 Result<void> KillEverything(Scene& scene, HeldPicture& held) {
-  for (const char* const program : kAllPrograms) {
-    const auto found = KillAll(scene, program);
-    if (!found) return tl::unexpected(found.error());
-    if (*found == 0) return Fail(std::errc::no_such_process, fmt::format("kill {}", program));
-  }
+  const auto all_run = [&] {
+    return std::ranges::all_of(kAllPrograms,
+                               [&](const char* program) { return !NumbersOf(scene, program).empty(); });
+  };
+  if (auto ok = scene.target.Await(all_run, kLongestStorm, "see all programs run"); !ok) return ok;
+  if (auto ok = TellStorm(
+          scene, fmt::format("own /usr/bin/systemctl kill -s KILL {}", fmt::join(kAllPrograms, " ")));
+      !ok)
+    return ok;
   const auto now = Now(scene);
   return now ? AwaitStage(scene, held, *now) : tl::unexpected(now.error());
 }
@@ -102,18 +120,22 @@ Result<void> Storm(Scene& scene) {
   return held->wrong == 0 ? Result<void>{} : FailInput(scene.finding.said);
 }
 
-// The control: without a stage and without who keeps its card, the picture goes, and that is seen.
+// The control: without a stage and without who keeps its card, the picture goes, and that is seen. The box is left as it was found.
 Result<void> WithoutItsKeepersThePictureGoes(Scene& scene) {
+  constexpr const char* kBoth = "kaori-stage.service kaori-fdkeeper.service";
   auto held = HoldFace(scene, "storm-control", "The face");
   if (!held) return tl::unexpected(held.error());
-  const auto both = [&](const char* verb) {
-    return scene.target.agent().Ask(
-        fmt::format("own /usr/bin/systemctl {} kaori-stage.service kaori-fdkeeper.service", verb),
-        kStormAnswer);
+  auto ok = TellStorm(scene, fmt::format("own /usr/bin/systemctl stop {}", kBoth));
+  Result<void> looked;
+  const auto is_gone = [&] {
+    looked = held->Look(scene);
+    return !looked || held->wrong > 0;
   };
-  if (const auto stopped = both("stop"); !stopped) return tl::unexpected(stopped.error());
-  auto ok = held->Look(scene);
-  if (const auto started = both("start"); ok && !started) ok = tl::unexpected(started.error());
+  if (ok) scene.target.Until(is_gone, seconds(30));
+  // It says that it failed where the stage takes longer than its job may.
+  static_cast<void>(TellStorm(scene, fmt::format("own /usr/bin/systemctl start {}", kBoth)));
+  if (ok) ok = looked;
+  if (ok) ok = scene.AwaitMovingFace(0, kLongestStorm);
   if (!ok) return ok;
   return held->wrong > 0 ? Result<void>{} : FailInput("the picture stays without anybody who holds it");
 }

@@ -168,6 +168,15 @@ Result<void> PlayStick(Scene& scene, OwnedKind kind, const char* name) {
                         LeftStick([](const StickView& left) { return left.x == 0 && left.y == 0; })}}});
 }
 
+// Until no picture has come for kPicturesCome: a machine that lacks time sends a key's bright one long after its first.
+void AwaitPictures(Scene& scene, const sim::StreamDeck& deck) {
+  constexpr int kMostWaits = 12;
+  for (int n = 0, before = -1; n < kMostWaits && deck.pictures() != before; ++n) {
+    before = deck.pictures();
+    scene.target.For(kPicturesCome);
+  }
+}
+
 // Every key shows a picture; the one that is on a bright one, until another is.
 Result<void> WantPictures(Scene& scene, sim::StreamDeck& deck, int lit, const char* name) {
   const auto all = [&] {
@@ -178,7 +187,7 @@ Result<void> WantPictures(Scene& scene, sim::StreamDeck& deck, int lit, const ch
   const bool shown = scene.target.Until(all, kLongestSeen);
   scene.finding.said += fmt::format(" ({} pictures)", deck.pictures());
   if (!shown) return FailInput(fmt::format("{}: a key shows no picture", name));
-  scene.target.For(kPicturesCome);
+  AwaitPictures(scene, deck);
   const double bright = deck.picture(lit)->brightness();
   deck.Push(0);
   deck.Release(0);
@@ -216,6 +225,7 @@ Result<void> Surfaces(Scene& scene) {
            [](Scene& s) { return PlayStick(s, OwnedKind::kExtreme3dPro, "Extreme 3D Pro"); },
            [](Scene& s) { return PlayStick(s, OwnedKind::kAttack3, "Attack 3"); },
            [](Scene& s) { return PlayStick(s, OwnedKind::kT16000m, "T.16000M"); },
+           [](Scene& s) { return PlayStick(s, OwnedKind::kDragonRise, "DragonRise stick"); },
            [](Scene& s) { return PlayDeck(s, sim::StreamDeck::Kind::kMk2, "Stream Deck MK.2"); },
            [](Scene& s) { return PlayDeck(s, sim::StreamDeck::Kind::kXl, "Stream Deck XL"); },
            [](Scene& s) { return PlayDeck(s, sim::StreamDeck::Kind::kMini, "Stream Deck Mini"); }}) {

@@ -64,6 +64,7 @@ void Evtest(Scene& scene) {
   scene.finding.texts.emplace_back("evtest", said ? *said : said.error().message());
 }
 
+// Their words are in the report; a tool that ends with an error counts as one that complains.
 Result<void> Tools(Scene& scene) {
   int answered = 0;
   Evtest(scene);

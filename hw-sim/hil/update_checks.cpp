@@ -7,9 +7,10 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/data_cuts.h"
 #include "hw-sim/hil/disk_copy.h"
-#include "hw-sim/hil/noise_slot.h"
 #include "hw-sim/hil/update_history.h"
+#include "hw-sim/hil/update_scene.h"
 #include "hw-sim/hil/updated_pc.h"
 
 namespace kaori::hil {
@@ -18,97 +19,15 @@ namespace {
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-// The whole file is read, unpacked, written and read back by a program of the idle class, beside a face that takes all that
-// the processors give.
-constexpr Duration kLongestUpdating = minutes(45);
 // The trial itself takes one to three minutes of the machine, whose clock is the host's.
 constexpr Duration kLongestTrial = minutes(6);
-constexpr Duration kStickListed = seconds(90);  // Of a stick that is plugged in, until it stands in the list.
-constexpr Duration kDiskLooks = seconds(10);    // Between two looks at what the machine has written.
-constexpr int kUpdateCuts = 10;                 // For each unit of Scene::effort.
-constexpr int kUpdateKey = 2;                   // A line of the bridge, as docs/image.md wires it.
-constexpr std::uint8_t kFirst = 0x1E, kSecond = 0x1F, kPageUp = 0x4B;  // Keys, HID page 7.
+// For each unit of Scene::effort.
+constexpr int kUpdateCuts = 10, kDataCuts = 200;
+// Of a disk that lies, until one is found wrong.
+constexpr int kLiesAtOnce = 20, kMostLies = 200;
 
 // A spoilt slot may take so long to show that it has no face, as in power_cycle_checks.cpp.
 constexpr Duration kNoFaceOfB = seconds(60);
-
-// The image's disk has the same system in both slots, and the stick has it once more: slot B is made one that cannot start, so that a
-// face of it is the face of what was written. Cuts before that leave slot A, which is as it was.
-Result<UpdatedPc> PcToUpdate(Scene& scene) {
-  auto pc = UpdatedPc::Make(scene);
-  if (!pc) return pc;
-  if (auto ok = MakeSlotBNoise(pc->Disk(), scene.chance); !ok) return tl::unexpected(ok.error());
-  return pc;
-}
-
-// Errors: timed_out, with what the disk holds.
-Result<void> AwaitKept(Scene& scene, const UpdatedPc& pc, const std::string& name,
-                       const std::function<bool(const std::string&)>& right, Duration longest) {
-  const Time until = scene.target.clock().now() + longest;
-  std::string kept;
-  while (scene.target.clock().now() < until) {
-    scene.target.For(kDiskLooks);
-    kept = pc.Kept(name);
-    if (right(kept)) return {};
-  }
-  return Fail(std::errc::timed_out, fmt::format("see {} on the disk, which has \"{}\"", name, kept));
-}
-
-// The presses are those of a stage hand who has only the sheet beside the box: the key, the stick, a number. Where the screen
-// shows the list too late for that, the check fails with the picture of what it showed instead.
-//
-// With the key on the stick is plugged in; the first of the list is taken, which is the update.
-Result<void> BringUpdate(Scene& scene, const UpdatedPc& pc) {
-  if (auto ok = scene.target.PlugAll(); !ok) return ok;
-  scene.target.For(seconds(20));
-  scene.target.rig().gpio().Close(kUpdateKey);
-  scene.target.For(seconds(10));
-  const std::string stick = scene.target.machine().options().sticks + "/update.stick";
-  if (auto ok = scene.target.machine().PlugStick(stick, false); !ok) return ok;
-  scene.target.For(kStickListed);
-  if (auto ok = scene.Shoot("update-list", "The update in the list of the stick"); !ok) return ok;
-  scene.TapKey(kFirst);
-  const Time began = scene.target.clock().now();
-  const auto waits = [](const std::string& kept) { return kept.ends_with(" B 0\n"); };
-  auto ok = AwaitKept(scene, pc, "update/pending", waits, kLongestUpdating);
-  scene.finding.figures["update_install_s"] = Seconds(scene.target.clock().now() - began);
-  static_cast<void>(scene.Shoot("update-waits", "The update waits for a restart"));
-  return ok;
-}
-
-// Restarting takes a moment in which the programs are stopped: a second press comes only when the first one went nowhere.
-//
-// The second of the list is the restart; QEMU ends where a PC starts again. The list was shut while the update came in, which
-// takes longer than it stands; a press that shuts one that is open costs a try.
-Result<void> RestartIntoB(Scene& scene) {
-  constexpr int kMostPresses = 3;
-  const auto ended = [&] { return !scene.target.machine().runs(); };
-  for (int n = 0; n < kMostPresses; ++n) {
-    scene.TapKey(kPageUp);
-    scene.target.For(seconds(5));
-    scene.TapKey(kSecond);
-    if (scene.target.Until(ended, seconds(120))) return {};
-  }
-  static_cast<void>(scene.Shoot("update-no-restart", "What the box says in place of restarting"));
-  return FailInput("the box does not restart to try the update");
-}
-
-// Both the check and its control begin so.
-//
-// Brings the update in and restarts; the machine is off then. What it wrote is noted.
-Result<void> UpdateAndRestart(Scene& scene, const UpdatedPc& pc) {
-  auto ok = pc.StartNoted(scene);
-  if (ok) ok = AwaitUpdateFace(scene, "before the update");
-  if (ok) ok = BringUpdate(scene, pc);
-  if (ok && pc.Default() != 'a') ok = FailInput("slot B is confirmed before it was tried");
-  if (ok) ok = RestartIntoB(scene);
-  scene.target.rig().gpio().Open(kUpdateKey);
-  scene.target.machine().Off();
-  if (ok && !pc.Kept("update/pending").ends_with(" B 1\n"))
-    ok = FailInput("the try was not counted: \"" + pc.Kept("update/pending") + "\"");
-  if (ok) pc.KeepRestarted(scene);
-  return ok;
-}
 
 // Where an update may write: beside it, the disk has what must start after any cut.
 Result<void> WantNothingAstray(Scene& scene, const UpdateHistory& history, const UpdatedPc& pc) {
@@ -168,6 +87,22 @@ Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc
   return {};
 }
 
+// The data partition alone, of a disk that loses and tears what was not flushed: many more cuts than machines could be started for.
+Result<void> CutItsData(Scene& scene, const UpdateHistory& history) {
+  const auto cuts = CutData(scene, history, history.Disk(), kDataCuts * scene.effort, false);
+  if (!cuts) return tl::unexpected(cuts.error());
+  scene.finding.figures["data_cuts"] = cuts->cuts;
+  scene.finding.figures["data_cuts_wrong"] = cuts->wrong;
+  scene.finding.figures["data_cuts_deciding"] = cuts->deciding;
+  if (cuts->wrong > 0) return FailInput(cuts->said);
+  for (int n = 0; n < kMostLies; n += kLiesAtOnce) {
+    const auto lies = CutData(scene, history, history.Disk(), kLiesAtOnce, true);
+    if (!lies) return tl::unexpected(lies.error());
+    if (lies->wrong > 0) return {};
+  }
+  return FailInput("a disk that loses what it said was safe is not found");
+}
+
 // Its face was seen for a minute, and all that tells of a try is gone.
 Result<void> AwaitConfirmed(Scene& scene, const UpdatedPc& pc) {
   auto ok = pc.StartNoted(scene);
@@ -192,12 +127,13 @@ Result<void> Update(Scene& scene) {
   if (ok) ok = history->Add(*pc);
   if (ok) ok = AwaitConfirmed(scene, *pc);
   if (ok) ok = history->Add(*pc);
+  if (ok) ok = CutItsData(scene, *history);
   if (ok) ok = CutUpdate(scene, *history, *pc);
   scene.finding.said = fmt::format(
       "an update by stick was brought in within {:.0f} s, tried, and stays; a face came after each of {:.0f} "
-      "cuts in its {:.0f} writes",
+      "cuts in its {:.0f} writes; {:.0f} cuts that lost and tore writes spoilt nothing of the data",
       scene.finding.figures["update_install_s"], scene.finding.figures["boots_after_cut"],
-      scene.finding.figures["update_writes"]);
+      scene.finding.figures["update_writes"], scene.finding.figures["data_cuts"]);
   return ok;
 }
 
@@ -218,11 +154,9 @@ Result<void> WithoutAnUpdateSlotBIsDead(Scene& scene) {
 // The control: an update whose root is not what its kernel wants gives way within one start.
 Result<void> ABadUpdateGivesWay(Scene& scene) {
   if (auto dead = WithoutAnUpdateSlotBIsDead(scene); !dead) return dead;
-  auto kept = UpdatedPc::Restarted(scene);
-  auto pc = kept ? Result<UpdatedPc>(std::move(*kept)) : PcToUpdate(scene);
+  auto pc = RestartedPc(scene);
   if (!pc) return tl::unexpected(pc.error());
-  auto ok = kept ? Result<void>() : UpdateAndRestart(scene, *pc);
-  if (ok) ok = pc->SpoilSlotB();
+  auto ok = pc->SpoilSlotB();
   if (ok) ok = pc->Start(scene);
   const auto ended = [&] { return !scene.target.machine().runs(); };
   if (ok && !scene.target.Until(ended, kLongestUpdateStart))

@@ -13,6 +13,7 @@
 namespace kaori::hil {
 namespace {
 
+// Whether they have a byte in common.
 bool Meets(const LoggedWrite& write, const DiskSpan& span) {
   return write.at_bytes < span.at_bytes + span.bytes && span.at_bytes < write.at_bytes + write.bytes;
 }
@@ -60,6 +61,7 @@ Result<void> UpdateHistory::Add(const UpdatedPc& pc) {
   return {};
 }
 
+// Flushes are entries, too.
 std::size_t UpdateHistory::entries() const {
   return std::transform_reduce(starts_.begin(), starts_.end(), std::size_t{0}, std::plus(),
                                [](const WriteLog& start) { return start.entries().size(); });

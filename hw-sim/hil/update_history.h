@@ -22,6 +22,10 @@ class UpdateHistory {
   // Errors: as WriteLog::Read; io_error.
   Result<void> Add(const UpdatedPc& pc);
 
+  // Each start's writes, in order.
+  const std::vector<WriteLog>& starts() const { return starts_; }
+  // The disk as it stands: as all began, until the first CutAfter.
+  std::string Disk() const { return folder_ + "/cut.disk"; }
   // Of all starts, in order.
   std::size_t entries() const;
   // The first entry that writes into this span, counted over all starts; entries() where none does. Pure.
@@ -37,7 +41,6 @@ class UpdateHistory {
 
  private:
   explicit UpdateHistory(std::string folder) : folder_(std::move(folder)) {}
-  std::string Disk() const { return folder_ + "/cut.disk"; }
   std::string Name(std::size_t start, const char* what) const;
 
   // Empty: moved away.

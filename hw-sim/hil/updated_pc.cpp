@@ -58,11 +58,16 @@ std::optional<UpdatedPc> UpdatedPc::Restarted(Scene& scene) {
   UpdatedPc pc(folder + "/update-pc");
   std::error_code none;
   std::filesystem::remove_all(pc.folder_, none);
-  std::filesystem::rename(folder + kRestartedPc, pc.folder_, none);
-  if (none) return std::nullopt;
+  std::filesystem::create_directories(pc.folder_, none);
+  for (const std::string& file : {pc.Disk(), pc.Variables()}) {
+    const std::string kept = folder + kRestartedPc + "/" + std::filesystem::path(file).filename().string();
+    if (!std::filesystem::exists(kept) || !CopySparse(kept, pc.folder_, pc.folder_ + "/cp.log"))
+      return std::nullopt;
+  }
   return pc;
 }
 
+// All or nothing: a disk without its variables is another PC.
 void UpdatedPc::KeepRestarted(Scene& scene) const {
   const std::string kept = scene.target.machine().options().folder + kRestartedPc;
   std::error_code none;
@@ -82,6 +87,7 @@ Result<void> UpdatedPc::Start(Scene& scene) const {
   return scene.SwitchOn(SetupOf(*this));
 }
 
+// The disk then has a cache that the machine flushes (Setup::write_log).
 Result<void> UpdatedPc::StartNoted(Scene& scene) const {
   if (auto ok = scene.target.PullAll(); !ok) return ok;
   Setup setup = SetupOf(*this);
@@ -154,6 +160,7 @@ std::string UpdatedPc::Kept(const std::string& name) const {
   return ReadFile(folder_ + "/kept").value_or("");
 }
 
+// The lowest one of a byte.
 Result<void> UpdatedPc::FlipBit(std::uint64_t at_bytes) const {
   std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
   file.seekg(static_cast<std::streamoff>(at_bytes));

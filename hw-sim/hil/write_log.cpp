@@ -25,6 +25,7 @@ bool ReadSector(std::ifstream& file, std::uint64_t at, std::array<std::uint8_t, 
 
 }  // namespace
 
+// A write that reaches beyond is not held: it changes something else as well.
 bool DiskSpan::Holds(const LoggedWrite& write) const {
   return write.at_bytes >= at_bytes && write.at_bytes + write.bytes <= at_bytes + bytes;
 }
@@ -71,17 +72,24 @@ std::uint64_t WriteLog::SectorsOutside(const std::vector<DiskSpan>& spans) const
   return sectors;
 }
 
-Result<void> WriteLog::Put(const LoggedWrite& write, const std::string& disk) const {
+Result<std::string> WriteLog::Content(const LoggedWrite& write) const {
   std::string content(write.bytes, '\0');
   std::ifstream from(file_, std::ios::binary);
   from.seekg(static_cast<std::streamoff>(write.content_at));
-  from.read(content.data(), static_cast<std::streamsize>(write.bytes));
-  std::fstream to(disk, std::ios::binary | std::ios::in | std::ios::out);
-  to.seekp(static_cast<std::streamoff>(write.at_bytes));
-  to.write(content.data(), static_cast<std::streamsize>(write.bytes));
-  return from && to.flush() ? Result<void>{} : Fail(std::errc::io_error, "replay a write onto " + disk);
+  if (from.read(content.data(), static_cast<std::streamsize>(write.bytes))) return content;
+  return Fail(std::errc::io_error, "read a write of " + file_);
 }
 
+Result<void> WriteLog::Put(const LoggedWrite& write, const std::string& disk) const {
+  const auto content = Content(write);
+  if (!content) return tl::unexpected(content.error());
+  std::fstream to(disk, std::ios::binary | std::ios::in | std::ios::out);
+  to.seekp(static_cast<std::streamoff>(write.at_bytes));
+  to.write(content->data(), static_cast<std::streamsize>(content->size()));
+  return to.flush() ? Result<void>{} : Fail(std::errc::io_error, "replay a write onto " + disk);
+}
+
+// In the order in which the machine's disk finished them.
 Result<void> WriteLog::Replay(std::size_t from, std::size_t until, const std::string& disk) const {
   for (std::size_t n = from; n < until; ++n)
     if (entries_[n].bytes > 0)

@@ -40,6 +40,9 @@ class WriteLog {
   // Sectors of 512 bytes of the writes that lie wholly in none of the spans. Pure.
   std::uint64_t SectorsOutside(const std::vector<DiskSpan>& spans) const;
 
+  // What one of the writes wrote. Errors: io_error.
+  Result<std::string> Content(const LoggedWrite& write) const;
+
   // Puts the writes [from, until) onto a disk's file. Errors: io_error.
   Result<void> Replay(std::size_t from, std::size_t until, const std::string& disk) const;
 

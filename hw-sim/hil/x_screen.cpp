@@ -133,6 +133,7 @@ Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
                  {across.before_px, down.before_px, across.window_px, down.window_px});
 }
 
+// Without asking X: a frame that is half drawn there is one that a screen shows too.
 Result<void> XScreen::Shoot(const std::string& file) const {
   return WriteDumpAsPng(memory_, window_, file);
 }

@@ -153,6 +153,8 @@ struct Expression {
   std::vector<glm::vec3> displacement;
   // How far lids are shut as part of the expression: left, right, 0..1.
   std::array<float, 2> lids{};
+  // How large the pupils are in it, as a factor, 0.5..1.5.
+  float pupil = 1;
   // What the control points cannot say of a shape that came from a modelling tool: one offset for each moving
   // vertex of the reference face, metres along the head's axes. Empty: nothing.
   std::vector<glm::vec3> residual{};

@@ -108,6 +108,8 @@ void CheckExpression(const Cast& cast, const Expression& expression, Faults& fau
     faults.Size(item + ", residual", expression.residual.size(), cast.topology.moving_count);
   faults.Finite(item + ", residual", expression.residual);
   if (!std::ranges::all_of(expression.lids, Is0To1)) faults.Add(item + ": its lids are not within 0 to 1");
+  if (!(expression.pupil >= 0.5F && expression.pupil <= 1.5F))
+    faults.Add(item + ": its pupils are not within 0.5 to 1.5");
 }
 
 // The first triangle that is wrong is named, and no further one.

@@ -46,8 +46,12 @@ EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights) {
 }
 
 // An EyeSurface of its own begins as an eye that is seen, and so each value is set to 0 before the sum.
-EyeSurface MixEyeSurface(std::span<const Face> faces, const Weights& weights) {
+EyeSurface MixEyeSurface(std::span<const Face> faces, std::span<const Expression> expressions,
+                         const Weights& weights) {
   EyeSurface mixed{{}, 0, 0, 0, 0, 0, 0, 0};
+  float of_expressions = 1;
+  for (const Terms* terms : {&weights.expressions, &weights.channels})
+    for (const Term& t : *terms) of_expressions += t.weight * (expressions[t.index].pupil - 1);
   for (const Term& t : weights.faces) {
     const EyeSurface& eye = faces[t.index].eye_surface;
     mixed.white += t.weight * eye.white;
@@ -59,6 +63,7 @@ EyeSurface MixEyeSurface(std::span<const Face> faces, const Weights& weights) {
     mixed.wet += t.weight * eye.wet;
     mixed.glow += t.weight * eye.glow;
   }
+  mixed.pupil *= of_expressions;
   return mixed;
 }
 

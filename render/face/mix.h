@@ -15,8 +15,9 @@ namespace kaori::face {
 std::array<EyeBall, 2> MixEyes(std::span<const Face> faces, const Weights& weights);
 // Iris and lashes, by the weights of the faces.
 EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights);
-// Paint and gloss of the eyeballs, by the weights of the faces.
-EyeSurface MixEyeSurface(std::span<const Face> faces, const Weights& weights);
+// Paint and gloss of the eyeballs, by the weights of the faces; pupils also by those of expressions and channels.
+EyeSurface MixEyeSurface(std::span<const Face> faces, std::span<const Expression> expressions,
+                         const Weights& weights);
 // Scale, offset and presence of teeth and tongue, by the weights of the faces.
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights);
 

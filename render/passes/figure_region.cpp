@@ -111,7 +111,9 @@ void AddSlice(const FrameBlock& frame, const Slice& slice, Follows follows, floa
 // Hair reaches as far beyond its slices as its tips swing; everything as far as breath lifts it.
 void AddProp(const FrameBlock& frame, const PropMesh& prop, const Reaches& reaches, Bands& bands) {
   const bool clothes = prop.part == face::Part::kClothes;
-  const float swing_rad = std::max(std::abs(frame.sway.x), std::abs(frame.sway.y));
+  const glm::vec4 sides = glm::abs(frame.sway_sides);
+  const float swing_rad =
+      std::max({std::abs(frame.sway.x), std::abs(frame.sway.y), sides.x, sides.y, sides.z, sides.w});
   const float margin_m = kSoftEdge_m + (clothes ? reaches.clothes_m : reaches.hair_m + kSwing_m * swing_rad) +
                          std::abs(frame.up.w);
   for (const Slice& slice : prop.slices) {

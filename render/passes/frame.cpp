@@ -75,7 +75,9 @@ FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canv
   f.key = {glm::normalize(scene.light.key), scene.light.exposure};
   f.fill = {glm::normalize(kFillLight), soft_share};
   f.up = {glm::mat3(f.view) * glm::vec3(0, 1, 0), scene.breath * kBreath_m};
-  f.sway = {scene.hair_sway_rad, canvas_px};
+  const auto sway = [&](scene::HairPart part) { return scene.hair_sway_rad[static_cast<std::size_t>(part)]; };
+  f.sway = {sway(scene::HairPart::kFringe), canvas_px};
+  f.sway_sides = {sway(scene::HairPart::kLeft), sway(scene::HairPart::kRight)};
   const glm::vec3 shadowed_m = neck.pivot + kShadowed_m + scene.head.shift_m;
   f.lamp = LampOf(glm::vec3(f.key), glm::vec3(f.view * glm::vec4(shadowed_m, 1)));
   return f;

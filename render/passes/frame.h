@@ -38,8 +38,10 @@ struct FrameBlock {
   glm::vec4 fill;
   // xyz: the world's up in the camera's frame; w: metres that breath lifts the shoulders.
   glm::vec4 up;
-  // xy: how far tips of hair swing, radians, sideways and forwards; zw: the canvas in pixels.
+  // xy: how far tips of hair swing over the forehead, radians, sideways and forwards; zw: the canvas in pixels.
   glm::vec4 sway;
+  // The same of hair on the character's left (xy) and right (zw).
+  glm::vec4 sway_sides;
   // Camera to the key lamp's clip space: parallel light, the head and the collar within it.
   glm::mat4 lamp;
 };

@@ -97,8 +97,8 @@ void Sane(const scene::Scene& scene, scene::Scene& s) {
     f = {Sane(f.backdrop), Within(f.weight, 0, 0, rest)};
     rest -= f.weight;
   }
-  s.hair_sway_rad.x = Within(scene.hair_sway_rad.x, 0, -kSway_rad, kSway_rad);
-  s.hair_sway_rad.y = Within(scene.hair_sway_rad.y, 0, -kSway_rad, kSway_rad);
+  for (glm::vec2& sway : s.hair_sway_rad)
+    sway = {Within(sway.x, 0, -kSway_rad, kSway_rad), Within(sway.y, 0, -kSway_rad, kSway_rad)};
   s.present = Within(scene.present, 1, 0, 1);
   s.breath = Within(scene.breath, 0, -1, 1);
   s.pupil = Within(scene.pupil, 1, kPupilFrom, kPupilTo);

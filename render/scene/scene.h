@@ -123,6 +123,10 @@ struct Caption {
   std::vector<std::string> lines;
 };
 
+// Parts of hair that swing each in its own time: over the forehead, and on the character's left and right.
+enum class HairPart : std::uint8_t { kFringe, kLeft, kRight };
+inline constexpr std::size_t kHairPartCount = 3;
+
 // All that a painter needs to know besides the cast. Values that are no numbers, or lie far out, are replaced
 // before they are drawn (render/passes/sane_scene.h), so a writer of scenes need not check them.
 struct Scene {
@@ -141,8 +145,8 @@ struct Scene {
   std::array<FadingBackdrop, kMostFading> fading;
   // 0: the character has left the picture, and the backdrop stands alone .. 1: is there whole.
   float present = 1;
-  // How far tips of hair swing: sideways, forwards.
-  glm::vec2 hair_sway_rad{};
+  // How far tips of hair swing, sideways and forwards: by HairPart.
+  std::array<glm::vec2, kHairPartCount> hair_sway_rad{};
   // -1 out .. 1 in.
   float breath = 0;
   // The size of the pupils, as a factor: 1 is as the looks are made.

@@ -54,11 +54,15 @@ vec3 Fitted(vec3 p) {
 }
 #endif
 
-// The lower and further along, the more a point swings.
+// The lower and further along, the more a point swings. Over the forehead, to the left and to the right in times of their own; between
+// them there is no edge at which hair would part.
 vec3 Swing(vec3 p) {
   float loose = lock.x * lock.x * clamp((shift.w + 0.16 - p.y) * 6.0, 0.0, 1.0);
   float arm = 0.09 * loose;
-  return p + vec3(sin(sway.x), 0.0, sin(sway.y)) * arm * (0.85 + 0.3 * lock.w);
+  float fringe = smoothstep(0.03, 0.07, p.z) * (1.0 - smoothstep(0.04, 0.08, abs(p.x)));
+  vec2 side = mix(sway_sides.zw, sway_sides.xy, smoothstep(-0.03, 0.03, p.x));
+  vec2 swing = mix(side, sway.xy, fringe);
+  return p + vec3(sin(swing.x), 0.0, sin(swing.y)) * arm * (0.85 + 0.3 * lock.w);
 }
 
 void main() {

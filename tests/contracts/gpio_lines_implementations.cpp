@@ -39,13 +39,14 @@ class ChipSubject final : public GpioSubject {
 class BackgroundSubject final : public GpioSubject {
  public:
   BackgroundSubject()
-      : lines_(gpio::BackgroundLines::Begin(std::make_unique<tests::SlowLines>(chip_), 1, clock).value()) {}
+      : lines_(gpio::BackgroundLines::Begin(std::make_unique<tests::SlowLines>(chip_), 1, steady_).value()) {}
   ports::GpioLines& lines() override { return *lines_; }
   void Switch(std::uint32_t line, bool active) override { chip_.Switch(line, active, clock.now()); }
   bool LampBecomes(bool lit) override { return chip_.LampBecomes(lit); }
   void Unplug() override { chip_.Unplug(); }
 
  private:
+  const SteadyClock steady_;
   tests::SlowChip chip_;
   std::unique_ptr<gpio::BackgroundLines> lines_;
 };

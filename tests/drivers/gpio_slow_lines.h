@@ -3,15 +3,27 @@
 
 #include <sys/eventfd.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <utility>
 
+#include "drivers/base/clock.h"
 #include "drivers/base/unique_fd.h"
 #include "drivers/ports/gpio_lines.h"
 
 namespace kaori::tests {
+
+// A clock that a test advances while a thread looks at it.
+class SharedClock final : public Clock {
+ public:
+  Time now() const override { return Time(Duration(now_ns_.load())); }
+  void Advance(Duration by) { now_ns_ += by.count(); }
+
+ private:
+  std::atomic<Duration::rep> now_ns_ = Duration(std::chrono::hours(1)).count();
+};
 
 // The test's side, which outlives the lines.
 class SlowChip {
@@ -37,6 +49,12 @@ class SlowChip {
     fails_ = true;
     ::eventfd_write(event_.get(), 1);
   }
+  // Every call fails from now on, until none does.
+  void FailAlways(bool fails) {
+    const std::scoped_lock lock(mutex_);
+    fails_always_ = fails;
+    ::eventfd_write(event_.get(), 1);
+  }
   // No call returns any more.
   void Hold() {
     const std::scoped_lock lock(mutex_);
@@ -49,6 +67,10 @@ class SlowChip {
       is_held_ = false;
     }
     changed_.notify_all();
+  }
+  bool IsDrained() {
+    const std::scoped_lock lock(mutex_);
+    return edges_.empty();
   }
   // Waits until a call is held.
   void AwaitHeld() {
@@ -83,7 +105,7 @@ class SlowChip {
   std::deque<ports::GpioEdge> edges_;
   std::uint32_t levels_ = 0;
   int waiting_ = 0;
-  bool lamp_ = false, is_gone_ = false, is_held_ = false, fails_ = false;
+  bool lamp_ = false, is_gone_ = false, is_held_ = false, fails_ = false, fails_always_ = false;
 };
 
 // Two inputs and one output.
@@ -94,12 +116,13 @@ class SlowLines final : public ports::GpioLines {
   Result<std::uint32_t> Levels() override {
     const auto lock = chip_.Enter();
     if (chip_.is_gone_) return Gone();
+    if (chip_.fails_always_) return Failed();
     return chip_.levels_;
   }
   Result<ports::GpioEdge> ReadEdge() override {
     const auto lock = chip_.Enter();
     if (chip_.is_gone_) return Gone();
-    if (std::exchange(chip_.fails_, false)) return Fail(std::errc::io_error, "read a line");
+    if (std::exchange(chip_.fails_, false) || chip_.fails_always_) return Failed();
     eventfd_t count = 0;
     if (chip_.edges_.empty()) {
       ::eventfd_read(chip_.event_.get(), &count);
@@ -112,12 +135,14 @@ class SlowLines final : public ports::GpioLines {
   Result<void> Drive(std::uint32_t /*line*/, bool active) override {
     const auto lock = chip_.Enter();
     if (chip_.is_gone_) return Gone();
+    if (chip_.fails_always_) return Failed();
     chip_.lamp_ = active;
     chip_.changed_.notify_all();
     return {};
   }
 
  private:
+  static tl::unexpected<Error> Failed() { return Fail(std::errc::io_error, "use a chip that fails"); }
   static tl::unexpected<Error> Gone() { return Fail(std::errc::no_such_device, "use an unplugged chip"); }
 
   SlowChip& chip_;

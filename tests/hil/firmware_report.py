@@ -41,7 +41,7 @@ BOUNDS = {"flash_bytes": (1, 49152), "ram_bytes": (1, 65536), "heap_bytes": (0, 
           "update_cuts": (1000, math.inf), "update_cuts_dead": (0, 0), "box_update_cuts_dead": (0, 0),
           "button_us": (0, 2500), "report_latency_cycles": (0, 12500), "lossless_edge_rate_hz": (20000, math.inf),
           "emulated_is_shipped": (1, 1), "controls_passed": (0, 0), "serial_false_values_after_gap": (0, 0),
-          "twins_played": (14, math.inf), "surfaces_played": (10, math.inf), "serial_boxes_played": (3, math.inf),
+          "twins_played": (14, math.inf), "surfaces_played": (11, math.inf), "serial_boxes_played": (3, math.inf),
           "gpio_edges": (1000, math.inf), "chip_plays_box": (1, 1), "chip_plays_pod": (1, 1),
           "report_latency_edges": (10_000, math.inf), "button_presses": (1000, math.inf)}
 # What measures a figure that is not of this run.

@@ -13,7 +13,7 @@ def faults(**changed):
 def main():
     assert faults() == [], faults()
     for wrong in ({"flash_bytes": 50_000}, {"heap_bytes": 4}, {"counts_lost": 1}, {"button_us": 2501}, {"emulated_is_shipped": 0},
-                  {"controls_passed": 1}, {"serial_false_values_after_gap": 1}, {"twins_played": 13}, {"surfaces_played": 9},
+                  {"controls_passed": 1}, {"serial_false_values_after_gap": 1}, {"twins_played": 13}, {"surfaces_played": 10},
                   {"usb_fuzz_execs": 10}, {"gpio_edges": 999}, {"chip_plays_box": 0}, {"chip_plays_pod": 0},
                   {"report_latency_edges": 9999}, {"button_presses": 999}):
         assert len(faults(**wrong)) == 1, wrong

@@ -26,7 +26,7 @@ TOOLS = {
     "mmdebstrap": "mmdebstrap", "mkfs.erofs": "erofs-utils", "mke2fs": "e2fsprogs", "e2fsck": "e2fsprogs",
     "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mkfs.exfat": "exfatprogs", "mcopy": "mtools", "mmd": "mtools",
     "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "curl": "curl", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
-    "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
+    "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "addr2line": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
     "openssl": "openssl", "sbsign": "sbsigntool", "cert-to-efi-sig-list": "efitools", "sign-efi-sig-list": "efitools",
     **{f"aarch64-linux-gnu-{tool}": "binutils-aarch64-linux-gnu" for tool in ("nm", "objcopy", "objdump", "strip")},
     "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu",

@@ -61,7 +61,7 @@ TEST(UsbStreamDeck, PagesOutOfOrderAndOfKeysThatThereAreNotAreWrong) {
 // Linux passes on no report that is shorter than the descriptor says.
 TEST(UsbHid, OwnedDevicesSendReportsOfTheLengthThatTheirDescriptorsSay) {
   for (const OwnedKind kind : {OwnedKind::kPowerMate, OwnedKind::kShuttlePro, OwnedKind::kExtreme3dPro,
-                               OwnedKind::kAttack3, OwnedKind::kT16000m}) {
+                               OwnedKind::kAttack3, OwnedKind::kT16000m, OwnedKind::kDragonRise}) {
     OwnedDevice device(kind);
     const auto layout = decode::ReadReportLayout(device.device_name().descriptor);
     ASSERT_TRUE(layout);

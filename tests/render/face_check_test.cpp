@@ -79,6 +79,8 @@ const Fault kFaults[] = {
      "expression \"surprised\": 1"},
     {"LidsBeyondShut", [](face::Cast& c) { c.expressions[1].lids[0] = 1.5F; },
      "its lids are not within 0 to 1"},
+    {"PupilsAsLargeAsTheIris", [](face::Cast& c) { c.expressions[1].pupil = 2; },
+     "its pupils are not within 0.5 to 1.5"},
     {"GainIsNoNumber", [](face::Cast& c) { c.faces[2].expression_gain = kNan; },
      "face \"turned\", its look: 1 values"},
     {"EyeWithoutPlace", [](face::Cast& c) { c.faces[0].eyes[1].centre.x = kNan; },

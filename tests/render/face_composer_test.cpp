@@ -155,6 +155,18 @@ TEST(Composer, TellsHowFarTheJawDropped) {
   EXPECT_EQ(composer.Compose(w, Detail::kCage).jaw_drop_m, 0);
 }
 
+TEST(Composer, ExpressionsMakeThePupilsLargerByTheirWeights) {
+  Cast cast = MakeSyntheticCast();
+  const auto smile = ExpressionNamed(cast, "smile");
+  cast.expressions[smile].pupil = 1.2F;
+  Composer composer(cast);
+  Weights w;
+  w.faces.Push(0, 1);
+  const float at_rest = composer.Compose(w, Detail::kCage).eye_surface.pupil;
+  w.expressions.Push(smile, 0.5F);
+  EXPECT_FLOAT_EQ(composer.Compose(w, Detail::kCage).eye_surface.pupil, 1.1F * at_rest);
+}
+
 TEST(Composer, BlendsEyesLookAndMouthWithTheFaces) {
   Cast cast = MakeSyntheticCast();
   cast.faces[1].mouth.scale = 3;

@@ -180,7 +180,7 @@ TEST(Painter, SurvivesNumbersThatAreNone) {
   scene.light = {{nan, 0, 0}, nan};
   scene.camera = {{nan, nan, nan}, nan, nan, nan, nan};
   scene.backdrop = {{nan, 0, 0}, {0, nan, 0}};
-  scene.hair_sway_rad = {nan, nan};
+  scene.hair_sway_rad.fill({nan, nan});
   scene.breath = nan;
   EXPECT_LT(Difference(studio.Draw(scene), good), 3);
 }
@@ -201,7 +201,7 @@ scene::Scene RestlessScene(int frame) {
   scene.head.yaw_rad = 0.7F * std::sin(static_cast<float>(frame));
   scene.head.shift_m.x = 0.1F * std::sin(2.3F * static_cast<float>(frame));
   scene.camera.target_m.y = frame % 9 == 8 ? 0.9F : 0.0F;
-  scene.hair_sway_rad = {0.4F * std::sin(1.7F * static_cast<float>(frame)), 0};
+  scene.hair_sway_rad.fill({0.4F * std::sin(1.7F * static_cast<float>(frame)), 0});
   if (frame % 11 > 7) scene.backdrop.top = {0.5F, 0.1F, 0.1F};
   return scene;
 }

@@ -83,7 +83,7 @@ class Importing {
 
   void Want(std::string name, ExpressionKind kind, Offsets offsets, std::string made_of) {
     made_.report.roles.push_back({name, std::move(made_of), {}});
-    wanted_.push_back({std::move(name), kind, std::move(offsets)});
+    wanted_.push_back({.name = std::move(name), .kind = kind, .offsets = std::move(offsets)});
   }
 
   // They stay where they are in the list: the show's buttons and motions name them by index.
@@ -117,6 +117,7 @@ class Importing {
       for (std::size_t v = 0; v < blink.size(); ++v) offsets[v] += expression.lids[side] * blink[v];
     }
     Want(std::move(name), expression.kind, std::move(offsets), "the show's own, carried over");
+    wanted_.back().pupil = expression.pupil;
   }
 
   // Teeth and tongue are no surface that a bridge could carry to. They go as far with the artist's jaw as the
@@ -235,6 +236,7 @@ class Importing {
     if (wanted.offsets.empty()) wanted.offsets.assign(heads_.skin.size(), glm::vec3(0));
     FitError error;
     face::Expression expression = fit.Fit(wanted.name, wanted.kind, wanted.offsets, error);
+    expression.pupil = wanted.pupil;
     const auto role = std::ranges::find(made_.report.roles, wanted.name, &ReportedRole::name);
     if (role != made_.report.roles.end()) role->error = error;
     if (index >= first_shape_) made_.report.shapes[index - first_shape_].error = error;

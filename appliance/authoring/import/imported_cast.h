@@ -16,6 +16,7 @@ struct WantedShape {
   std::string name;
   face::ExpressionKind kind = face::ExpressionKind::kChannel;
   Offsets offsets;  // Empty: nothing moves.
+  float pupil = 1;  // As face::Expression has it.
 };
 
 // Puts the vertices that any wanted shape moves by more than 0.01 mm first, in heads and shapes alike, and

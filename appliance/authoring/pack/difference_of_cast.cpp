@@ -187,6 +187,9 @@ void CompareExpression(const std::string& item, const WornExpression& a, const W
     lines.push_back(fmt::format("{}: lids shut {:.2f} and {:.2f} are now {:.2f} and {:.2f}", item,
                                 a.expression.lids[0], a.expression.lids[1], b.expression.lids[0],
                                 b.expression.lids[1]));
+  if (a.expression.pupil != b.expression.pupil)
+    lines.push_back(fmt::format("{}: pupils {:.2f} as large are now {:.2f}", item, a.expression.pupil,
+                                b.expression.pupil));
   if (a.expression.residual.size() != b.expression.residual.size())
     lines.push_back(item + ": what its points cannot say is kept otherwise");
   else if (const Motion rest = MotionOf(a.expression.residual, b.expression.residual); rest.most_m > 0)

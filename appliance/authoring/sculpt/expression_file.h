@@ -42,6 +42,7 @@ struct AuthoredExpression {
   face::ExpressionKind kind = face::ExpressionKind::kExpression;
   // How far lids are shut, 0..1: left, right.
   std::array<double, 2> lids{};
+  double pupil = 1;  // A factor, 0.5..1.5.
   // Earlier expressions that it builds on, by this much.
   std::map<std::string, double> from{};
   // On both sides alike; `left` and `right` add to one side alone.

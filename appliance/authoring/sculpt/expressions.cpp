@@ -62,6 +62,7 @@ std::vector<face::Expression> MakeExpressions(const ExpressionFile& file) {
     }
     AddMoves(file.points, authored, expression.displacement);
     expression.lids = {static_cast<float>(authored.lids[0]), static_cast<float>(authored.lids[1])};
+    expression.pupil = static_cast<float>(authored.pupil);
     made.push_back(std::move(expression));
   }
   return made;

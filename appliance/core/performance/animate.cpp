@@ -201,7 +201,8 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   motion.lids = std::max(motion.lids, LidsAsleep(state.lobby));
   Weigh(state, board, show, motion, scene, dt_s);
   Swing(state.sway, scene.head, dt_s);
-  scene.hair_sway_rad = state.sway.angle_rad;
+  for (std::size_t part = 0; part < state.sway.size(); ++part)
+    scene.hair_sway_rad[part] = state.sway[part].angle_rad;
   HangBackdrops(state.backdrops, show, scene);
   scene.light.exposure = ValueNow(state.exposure) * At(state.shown, Knob::kLight) *
                          ValueNow(state.cue_light) * Unblacked(state) * LightAsleep(state.lobby, show);

@@ -113,8 +113,10 @@ bool IsValidPose(const State& s) {
   return Within({s.head.yaw_rad, s.head.pitch_rad, s.head.roll_rad, s.gaze.yaw_rad, s.gaze.pitch_rad},
                 -kFarTurn_rad, kFarTurn_rad) &&
          Within(s.head.shift_m, kFarShift_m) && Within({s.brow}, -1, 1) &&
-         Within(s.sway.angle_rad, kFarTurn_rad) && Within(s.sway.head_rad, kFarTurn_rad) &&
-         Within(s.sway.speed_rad_s, kFastTurn_rad_s);
+         std::ranges::all_of(s.sway, [](const Sway& sway) {
+           return Within(sway.angle_rad, kFarTurn_rad) && Within(sway.head_rad, kFarTurn_rad) &&
+                  Within(sway.speed_rad_s, kFastTurn_rad_s);
+         });
 }
 
 // Clocks that count seconds stop at 10 (see State), so that anything else was not written by this program.

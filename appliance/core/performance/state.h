@@ -86,7 +86,7 @@ inline constexpr float kLongSinceGo_s = 3600;
 // StickNow::lost_s and go_quiet_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 19;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 20;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -124,7 +124,7 @@ struct State {
   LayersNow layers;                  // How takes that lie under or over hands have the levels.
   // What the face does by itself, and how its hair swings.
   Life life;
-  Sway sway;
+  std::array<Sway, scene::kHairPartCount> sway;  // By scene::HairPart.
   // Head, gaze and brows as the sticks have them, eased; idle motion and registered motions come on top and
   // are no state.
   scene::Head head;

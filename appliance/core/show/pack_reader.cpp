@@ -109,6 +109,7 @@ face::Expression ReadExpression(Copier& from, const pack::Expression& stored) {
           .kind = static_cast<face::ExpressionKind>(Narrow<std::uint8_t>(stored.kind())),
           .displacement = from.Structs<glm::vec3>(stored.displacement()),
           .lids = {stored.lid_left(), stored.lid_right()},
+          .pupil = stored.pupil(),
           .residual = from.Structs<glm::vec3>(stored.residual())};
 }
 

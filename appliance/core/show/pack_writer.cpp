@@ -110,7 +110,7 @@ Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& ex
   const auto displacement = Structs<pack::Vec3>(to, expression.displacement);
   const auto residual = Structs<pack::Vec3>(to, expression.residual);
   return pack::CreateExpression(to, name, static_cast<std::uint32_t>(expression.kind), displacement,
-                                expression.lids[0], expression.lids[1], residual);
+                                expression.lids[0], expression.lids[1], residual, expression.pupil);
 }
 
 Offset<pack::Prop> Write(FlatBufferBuilder& to, const face::Prop& prop) {

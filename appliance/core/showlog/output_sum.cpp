@@ -48,7 +48,9 @@ std::uint16_t OutputSum(const performance::Performed& made) {
   sum.Add(scene.camera.height_rad), sum.Add(scene.camera.field_of_view_rad);
   sum.Add(scene.backdrop);
   for (const scene::FadingBackdrop& fading : scene.fading) sum.Add(fading.backdrop), sum.Add(fading.weight);
-  sum.Add(scene.present), sum.Add(scene.hair_sway_rad), sum.Add(scene.breath), sum.Add(scene.pupil);
+  sum.Add(scene.present);
+  for (const glm::vec2& sway : scene.hair_sway_rad) sum.Add(sway);
+  sum.Add(scene.breath), sum.Add(scene.pupil);
   sum.Add(made.lamps);
   return sum.value();
 }

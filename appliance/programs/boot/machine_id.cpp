@@ -16,16 +16,22 @@ namespace kaori::boot {
 namespace {
 
 constexpr std::size_t kIdDigits = 32;
-constexpr std::size_t kMark_bytes = 17;
+constexpr std::size_t kMarkDigits = 16;
 constexpr unsigned kIdMode = 0444;
 constexpr std::string_view kIdLetters = "0123456789abcdef";
 
+bool AreDigits(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
+
+bool IsMark(std::string_view text) {
+  return text.size() == kMarkDigits && AreDigits(text);
+}
+
 // systemd refuses a number that is all zero, and takes none with capital letters.
 bool IsMachineId(std::string_view text) {
-  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
   const auto is_zero = [](char c) { return c == '0'; };
-  return text.size() == kIdDigits && std::ranges::all_of(text, is_digit) &&
-         !std::ranges::all_of(text, is_zero);
+  return text.size() == kIdDigits && AreDigits(text) && !std::ranges::all_of(text, is_zero);
 }
 
 // A file of one line, without its end; empty where it is missing.
@@ -52,37 +58,36 @@ Result<std::string> NewMachineId() {
 
 }  // namespace
 
-// A serial number that nobody filled in is the same text for many PCs, and no harm: their other numbers count.
+// One number alone: a firmware's update that fills in another one makes no other PC.
 std::string MachineMark(const std::filesystem::path& sys) {
   constexpr std::size_t kMost_bytes = 4096;
-  std::uint64_t sum = kFnvBasis;
-  for (const char* const name :
-       {"class/dmi/id/product_uuid", "class/dmi/id/product_serial", "class/dmi/id/board_serial",
-        "class/dmi/id/chassis_serial", "firmware/devicetree/base/serial-number"}) {
+  for (const char* const name : {"class/dmi/id/product_uuid", "firmware/devicetree/base/serial-number",
+                                 "class/dmi/id/board_serial", "class/dmi/id/product_serial"}) {
     const std::string number = LineOf(sys / name, kMost_bytes);
-    if (!number.empty()) sum = Fnv1a(number, Fnv1a(name, sum));
+    if (number.empty()) continue;
+    const std::uint64_t sum = Fnv1a(number, Fnv1a(name));
+    std::string digits;
+    for (int bit = 60; bit >= 0; bit -= 4) digits += kIdLetters[sum >> static_cast<unsigned>(bit) & 0x0FU];
+    return digits;
   }
-  if (sum == kFnvBasis) return "";
-  std::string digits;
-  for (int bit = 60; bit >= 0; bit -= 4) digits += kIdLetters[sum >> static_cast<unsigned>(bit) & 0x0FU];
-  return digits;
+  return {};
 }
 
 // The mark comes last: a start that is cut off between the two makes a new number once more.
 Result<std::string> KeptMachineId(const std::filesystem::path& file, const std::string& machine) {
   const std::filesystem::path marks = file.string() + ".pc";
   Result<std::string> number = LineOf(file, kIdDigits + 1);
-  const std::string mark = LineOf(marks, kMark_bytes);
-  const bool is_copied = !mark.empty() && !machine.empty() && mark != machine;
+  const std::string mark = LineOf(marks, kMarkDigits + 1);
+  const bool is_copied = IsMark(mark) && !machine.empty() && mark != machine;
   if (!IsMachineId(*number) || is_copied) {
     number = NewMachineId();
     if (!number) return number;
     if (auto ok = WriteWholeFile(file, {AsBytes(*number + "\n")}, kIdMode); !ok)
       return tl::unexpected(ok.error());
   }
-  if (machine.empty() || mark == machine) return number;
-  if (auto ok = WriteWholeFile(marks, {AsBytes(machine + "\n")}, kIdMode); !ok)
-    return tl::unexpected(ok.error());
+  // A full disk costs nobody the number that is there.
+  if (!machine.empty() && mark != machine)
+    static_cast<void>(WriteWholeFile(marks, {AsBytes(machine + "\n")}, kIdMode));
   return number;
 }
 

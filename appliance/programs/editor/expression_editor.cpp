@@ -215,7 +215,8 @@ void ExpressionEditor::BeginFrom(std::uint16_t expression, const show::Show& sho
 }
 
 void ExpressionEditor::WarnOfResidual(std::uint16_t expression, const show::Show& show) {
-  if (!show.cast.expressions[expression].residual.empty()) Say("what no needle can say of it is left out");
+  const face::Expression& begun = show.cast.expressions[expression];
+  if (!begun.residual.empty() || begun.pupil != 1) Say("what no needle can say of it is left out");
 }
 
 // Nothing for one that is no expression, or that no key calls any more.

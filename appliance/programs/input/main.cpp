@@ -243,13 +243,14 @@ kaori::Result<kaori::input::InputSettings> ReadSettings(const Settings& options)
 // end the program before any device is touched. GPIO lines are not worth ending for. The first step is made
 // before the loop runs, so that the board shows devices that are plugged in as soon as the program is there.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
+  const kaori::SteadyClock clock;
+  kaori::input::ServiceKey key(settings.key, clock.now());
   const auto input_settings = ReadSettings(settings);
   if (!input_settings) return kaori::ExitWithError(input_settings.error());
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::input::InputWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
-  const kaori::SteadyClock clock;
   const auto buses = OpenBuses(settings, input_settings->counts_per_turn, clock);
   if (!buses) return kaori::ExitWithError(buses.error());
   auto lines = LinesOpener(settings, clock);
@@ -271,7 +272,6 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   watch.Step();
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::service::FeedWatchdog(loop, clock); !ok) return kaori::ExitWithError(ok.error());
-  kaori::input::ServiceKey key(settings.key, clock.now());
   const auto tick = [&] {
     watch.Step();
     key.Step(board->Read<kaori::board::Lines>(), clock.now());

@@ -1,5 +1,6 @@
 #include "appliance/programs/input/service_key.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -22,30 +23,49 @@ std::optional<Time> UnheardSince(const std::filesystem::path& file) {
 
 }  // namespace
 
-ServiceKey::ServiceKey(std::filesystem::path file, Time now) : file_(std::move(file)) {
+ServiceKey::ServiceKey(std::filesystem::path file, Time now) : file_(std::move(file)), began_(now) {
   std::error_code none;
-  on_ = is_unheard_ = !file_.empty() && std::filesystem::exists(file_, none);
-  if (!is_unheard_) return;
-  const auto since = UnheardSince(file_);
-  until_ = since.value_or(now) + kUnheard;
-  if (!since) Write(std::to_string(now.time_since_epoch().count()));
+  on_ = !file_.empty() && std::filesystem::exists(file_, none);
+  if (!on_) return;
+  auto since = UnheardSince(file_);
+  if (since && *since > now) since.reset();
+  until_ = std::max(since.value_or(now), now - kUnheard) + kUnheard;
+  if (now >= until_) {
+    on_ = false;
+    Remove();
+  } else if (!since) {
+    Write(std::to_string(now.time_since_epoch().count()));
+  }
 }
 
 // Compared with what was told last, so that a key that stands costs no call of the system.
 void ServiceKey::Step(const board::Stamped<board::Lines>& lines, Time now) {
-  const bool is_heard = lines.source == board::SourceState::kLive, on = board::IsServiceKeyOn(lines);
-  if (file_.empty() || (is_unheard_ && !is_heard && now < until_)) return;
-  if (on == on_ && !is_unheard_) return;
-  is_unheard_ = false;
+  if (file_.empty()) return;
+  if (is_unheard_) {
+    const bool is_heard = lines.source == board::SourceState::kLive && lines.at >= began_;
+    if (!is_heard && (!on_ || now < until_)) return;
+    is_unheard_ = !is_heard;
+    // The file says since when nobody has heard: that is over.
+    if (is_heard && on_ && board::IsServiceKeyOn(lines)) Write({});
+    if (!is_heard) {
+      on_ = false;
+      return Remove();
+    }
+  }
+  const bool on = board::IsServiceKeyOn(lines);
+  if (on == on_) return;
   on_ = on;
-  if (on) return Write({});
-  std::error_code none;
-  std::filesystem::remove(file_, none);
+  on ? Write({}) : Remove();
 }
 
 void ServiceKey::Write(const std::string& unheard_since) const {
   if (auto made = WriteWholeFile(file_, {AsBytes(unheard_since)}); !made)
     LogWarning("the service key has no effect: {}", made.error().message());
+}
+
+void ServiceKey::Remove() const {
+  std::error_code none;
+  std::filesystem::remove(file_, none);
 }
 
 }  // namespace kaori::input

@@ -17,20 +17,23 @@ class ServiceKey {
  public:
   static constexpr Duration kUnheard = std::chrono::seconds(10);
 
-  // `file` is in memory; empty: nobody is told. `now` is of the machine's steady clock, whose times the file may hold.
+  // To be made before anything that may fail: a program that never comes further takes the file away all the same. `file` is in memory;
+  // empty: nobody is told. `now` is of the machine's steady clock, whose times the file may hold.
   ServiceKey(std::filesystem::path file, Time now);
 
-  // Makes or removes the file where the key has been turned. A chip that is gone counts as a key that is off.
-  // A file that cannot be made is logged once.
+  // Makes or removes the file where the key has been turned. What the board has from before this program began is not heard. A chip that is
+  // gone counts as a key that is off. A file that cannot be made is logged once.
   void Step(const board::Stamped<board::Lines>& lines, Time now);
 
  private:
   void Write(const std::string& unheard_since) const;
+  void Remove() const;
 
   std::filesystem::path file_;
+  Time began_{};
   bool on_ = false;
   // The line has not been heard yet, and how the key stood counts until then.
-  bool is_unheard_ = false;
+  bool is_unheard_ = true;
   Time until_{};
 };
 

@@ -120,8 +120,9 @@ std::string PictureOf(const std::string& file) {
 
 // The cheapest look comes first. Each gives one line, which becomes the reason where the system gives way: it is read by
 // whoever stands before the box, and by whoever made the update.
-// Looks at everything once. `seen` is when the picture of the look before was made: a stage that hangs makes no new one.
-std::string FaultNow(const Settings& settings, fs::file_time_type& seen) {
+// Looks at everything once. `seen` is when the picture of the look before was made: a stage that hangs makes no new one. `last` is the
+// last face that the system before has kept: what is tried keeps one of its own, which says nothing of it.
+std::string FaultNow(const Settings& settings, const std::string& last, fs::file_time_type& seen) {
   std::vector<std::string> ask{settings.systemctl, "show", "--property=Id,ActiveState,NRestarts"};
   ask.insert(ask.end(), kPrograms.begin(), kPrograms.end());
   const auto programs = kaori::OutputOf(ask, kMostLog_bytes, kLongestAnswer);
@@ -133,7 +134,7 @@ std::string FaultNow(const Settings& settings, fs::file_time_type& seen) {
   std::error_code none;
   const auto made = fs::last_write_time(settings.picture, none);
   if (none || std::exchange(seen, made) == made) return "the stage shows no new picture";
-  const std::string still = PictureOf(settings.still), last = PictureOf(settings.last_face);
+  const std::string still = PictureOf(settings.still);
   return kaori::update::PictureFault(PictureOf(settings.picture), {still, last});
 }
 
@@ -165,11 +166,12 @@ int LookOn(const Settings& settings, kaori::ports::BootChoice& choice, kaori::up
   kaori::update::BeginLook(LookFile(settings));
   const kaori::SteadyClock clock;
   kaori::update::Confirmation confirmation(clock.now());
+  const std::string last = PictureOf(settings.last_face);
   fs::file_time_type seen{};
   const fs::path wanted = fs::path(settings.said) / "wanted";
   if (auto told = kaori::WriteWholeFile(wanted, {}); !told) kaori::LogWarning("{}", told.error().message());
   const auto look = [&] {
-    const auto verdict = confirmation.Observe(FaultNow(settings, seen), clock.now());
+    const auto verdict = confirmation.Observe(FaultNow(settings, last, seen), clock.now());
     if (verdict == kaori::update::Confirmation::Verdict::kLooking) return;
     End(settings, verdict, confirmation.reason(), choice, notes, version);
     loop.Stop();

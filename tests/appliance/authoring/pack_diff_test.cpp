@@ -29,9 +29,11 @@ TEST(PackDiff, SaysWhichPointOfAnExpressionChangedMost) {
   const auto corner = PointNamed(after.cast, "MC.l");
   after.cast.expressions[1].displacement[corner].y += 0.0015F;
   after.cast.expressions[1].lids = {0.25F, 0.5F};
+  after.cast.expressions[1].pupil = 1.1F;
   EXPECT_THAT(Differences(SmallShow(), after),
               ElementsAre("expression \"smile\": moves by up to 1.50 mm otherwise (point MC.l)",
-                          "expression \"smile\": lids shut 0.50 and 0.50 are now 0.25 and 0.50"));
+                          "expression \"smile\": lids shut 0.50 and 0.50 are now 0.25 and 0.50",
+                          "expression \"smile\": pupils 1.00 as large are now 1.10"));
 }
 
 TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {

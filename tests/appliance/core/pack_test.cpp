@@ -21,6 +21,7 @@ using ::testing::HasSubstr;
 TEST_F(PackTest, AShowComesOutAsItWentIn) {
   Show show = SmallShow();
   show.lobby->by_itself = true;
+  show.cast.expressions[1].pupil = 1.25F;
   ASSERT_THAT(CheckShow(show), ::testing::IsEmpty());
   const auto file = folder_ / "small.kaori";
   ASSERT_TRUE(SavePack(show, file));
@@ -30,6 +31,8 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->cast.faces[2].positions, show.cast.faces[2].positions);
   EXPECT_EQ(loaded->cast.net.to_cage.weight, show.cast.net.to_cage.weight);
   EXPECT_EQ(loaded->cast.expressions[1].displacement, show.cast.expressions[1].displacement);
+  EXPECT_EQ(loaded->cast.expressions[1].pupil, 1.25F);
+  EXPECT_EQ(loaded->cast.expressions[2].pupil, 1);
   EXPECT_EQ(loaded->cast.topology.lids[1].upper, show.cast.topology.lids[1].upper);
   EXPECT_EQ(loaded->buttons[3].index, 2);
   EXPECT_EQ(loaded->stick_buttons, show.stick_buttons);

@@ -117,7 +117,7 @@ const Spoiled kSpoiled[] = {
      }},
     {"ASceneThatDoesNotExist", [](State& s) { s.scene = 2; }},
     {"AnAgeThatIsNone", [](State& s) { s.age_s = -1; }},
-    {"HairThatIsNowhere", [](State& s) { s.sway.speed_rad_s.x = kNan; }},
+    {"HairThatIsNowhere", [](State& s) { s.sway[1].speed_rad_s.x = kNan; }},
     {"AMouthThatIsMoreThanTheVoices", [](State& s) { s.mouth_voice = 2; }},
     {"LipsThatWereLostNever", [](State& s) { s.lips_lost_s = kNan; }},
     {"ALookAtNowhere", [](State& s) { s.life.gaze.to_m.z = kNan; }},
@@ -145,7 +145,7 @@ bool IsPlayable(const scene::Scene& scene, const show::Show& show) {
                        [count](const face::Term& t) { return t.index < count && std::isfinite(t.weight); });
   };
   float all = scene.head.yaw_rad + scene.head.pitch_rad + scene.head.roll_rad + scene.gaze[0].yaw_rad +
-              scene.breath + scene.hair_sway_rad.x + scene.light.exposure + scene.backdrop.top.x +
+              scene.breath + scene.hair_sway_rad[1].x + scene.light.exposure + scene.backdrop.top.x +
               scene.weights.mouth_given_away;
   for (const float style : scene.styles) all += style;
   return std::isfinite(all) && exist(scene.weights.faces, show.cast.faces.size()) &&

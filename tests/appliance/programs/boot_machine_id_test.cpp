@@ -79,6 +79,18 @@ TEST_F(MachineId, OfBeforeIsKeptByAnUpdateThatLooksAtThePC) {
   EXPECT_NE(KeptMachineId(file(), "00000000abcdef01"), *before);
 }
 
+TEST_F(MachineId, StaysWhereTheMarkOfThePCIsDamagedOrCannotBeKept) {
+  const auto first = KeptMachineId(file(), "0123456789abcdef");
+  for (const char* const damaged : {"", "0123", "0123456789abcdeX", "0123456789abcdef0"}) {
+    std::ofstream(folder_ / "machine-id.pc") << damaged;
+    fs::permissions(folder_ / "machine-id.pc", fs::perms::owner_all);
+    EXPECT_EQ(KeptMachineId(file(), "00000000abcdef01"), *first) << damaged;
+    fs::remove(folder_ / "machine-id.pc");
+  }
+  fs::create_directories(folder_ / "machine-id.pc/in the way");
+  EXPECT_EQ(KeptMachineId(file(), "0123456789abcdef"), *first);
+}
+
 TEST_F(MachineId, ThePCIsToldFromOthersByItsSerialNumbers) {
   EXPECT_EQ(MachineMark(folder_), "") << "a PC that says nothing of itself";
   fs::create_directories(folder_ / "class/dmi/id");

@@ -95,16 +95,18 @@ class TheServiceKey : public ::testing::Test {
  protected:
   TheServiceKey() { std::filesystem::remove(file_); }
   ~TheServiceKey() override { std::filesystem::remove(file_); }
-  static board::Stamped<board::Lines> Lines(bool is_on,
-                                            board::SourceState source = board::SourceState::kLive) {
-    board::Stamped<board::Lines> lines{{}, {}, source};
+  // As kaori-input writes them at `after` the beginning, or before it began.
+  board::Stamped<board::Lines> Lines(bool is_on, Duration after = {},
+                                     board::SourceState source = board::SourceState::kLive) const {
+    board::Stamped<board::Lines> lines{{}, began_ + after, source};
     if (is_on) lines.value.active = 1U << static_cast<unsigned>(board::Line::kService);
     return lines;
   }
-  static board::Stamped<board::Lines> Unheard() { return Lines(true, board::SourceState::kAbsent); }
+  // What a program that was killed has left on the board.
+  board::Stamped<board::Lines> LeftBehind() const { return Lines(true, -std::chrono::hours(1)); }
   bool IsThere() const { return std::filesystem::exists(file_); }
 
-  const Time began_ = Time{} + std::chrono::hours(1);
+  const Time began_ = Time{} + std::chrono::hours(5);
   const std::filesystem::path file_ =
       std::filesystem::temp_directory_path() / ("kaori-key-" + std::to_string(::getpid()));
 };
@@ -117,20 +119,20 @@ TEST_F(TheServiceKey, IsAFileWhileItIsOn) {
   key.Step(Lines(false), began_);
   EXPECT_FALSE(IsThere());
   key.Step(Lines(true), began_);
-  key.Step(Lines(true, board::SourceState::kStale), began_);
+  key.Step(Lines(true, {}, board::SourceState::kStale), began_);
   EXPECT_FALSE(IsThere()) << "the chip is gone";
 }
 
 TEST_F(TheServiceKey, StaysAsItWasWhileTheProgramIsStartedAnew) {
   ServiceKey(file_, began_).Step(Lines(true), began_);
   ServiceKey on(file_, began_);
-  on.Step(Unheard(), began_ + std::chrono::seconds(2));
+  on.Step(LeftBehind(), began_ + std::chrono::seconds(2));
   EXPECT_TRUE(IsThere());
-  on.Step(Lines(true), began_ + std::chrono::seconds(3));
-  on.Step(Lines(true), began_ + std::chrono::minutes(3));
+  on.Step(Lines(true, std::chrono::seconds(3)), began_ + std::chrono::seconds(3));
+  on.Step(Lines(true, std::chrono::seconds(3)), began_ + std::chrono::minutes(3));
   EXPECT_TRUE(IsThere());
   ServiceKey turned(file_, began_ + std::chrono::minutes(3));
-  turned.Step(Lines(false), began_ + std::chrono::minutes(3));
+  turned.Step(Lines(false, std::chrono::minutes(3)), began_ + std::chrono::minutes(3));
   EXPECT_FALSE(IsThere()) << "it was turned meanwhile";
 }
 
@@ -138,10 +140,27 @@ TEST_F(TheServiceKey, CountsAsOffWhereNoStartHearsOfItForTenSeconds) {
   ServiceKey(file_, began_).Step(Lines(true), began_);
   for (int s = 0; s < 10; s += 3) ServiceKey(file_, began_ + std::chrono::seconds(s));
   ServiceKey key(file_, began_ + std::chrono::seconds(9));
-  key.Step(Unheard(), began_ + std::chrono::seconds(9));
+  key.Step(LeftBehind(), began_ + std::chrono::seconds(9));
   EXPECT_TRUE(IsThere());
-  key.Step(Unheard(), began_ + ServiceKey::kUnheard);
+  key.Step(LeftBehind(), began_ + ServiceKey::kUnheard);
+  EXPECT_FALSE(IsThere()) << "what is on the board is not heard";
+  key.Step(Lines(true, std::chrono::seconds(12)), began_ + std::chrono::seconds(12));
+  EXPECT_TRUE(IsThere());
+}
+
+TEST_F(TheServiceKey, CountsAsOffWhereEachStartEndsBeforeItsFirstStep) {
+  ServiceKey(file_, began_).Step(Lines(true), began_);
+  for (int s = 0; s <= 12; s += 3) ServiceKey(file_, began_ + std::chrono::seconds(s));
   EXPECT_FALSE(IsThere());
+}
+
+TEST_F(TheServiceKey, IsNotKeptOnByATimeThatMakesNoSense) {
+  for (const char* const since : {"9223372036854775807", "-9223372036854775808", "many"}) {
+    std::ofstream(file_) << since;
+    ServiceKey(file_, began_);
+    ServiceKey(file_, began_ + ServiceKey::kUnheard + std::chrono::seconds(1));
+    EXPECT_FALSE(IsThere()) << since;
+  }
 }
 
 TEST_F(Settings, NameLineAndColumnOfATypingError) {

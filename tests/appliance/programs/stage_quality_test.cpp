@@ -54,18 +54,61 @@ class ScreenOfSize final : public ports::Scanout {
   int width_px_, height_px_;
 };
 
-TEST_F(QualityChoiceTest, IsMadeAnewForALargerScreenAndOnlyOnce) {
+TEST_F(QualityChoiceTest, IsAsItWasOnAProcessorWhateverTheScreen) {
   if (passes::QualityFor(studio_->renderer()) != Quality::kBasic)
     GTEST_SKIP() << studio_->renderer() << " is no processor, and what it chooses depends on how fast it is";
-  ScreenOfSize usual(1920, 1080), large(3840, 2160);
-  stage::QualityForScreens sizes(*studio_, "auto");
-  ::testing::internal::CaptureStderr();
-  for (ScreenOfSize* const screen : {&usual, &large, &large, &usual}) sizes.See(*screen);
-  stage::QualityForScreens as_asked(*studio_, "fine");
+  ScreenOfSize large(2560, 1440);
+  stage::QualityForScreens(*studio_, "auto").See(large);
+  EXPECT_EQ(studio_->quality(), Quality::kBasic);
+}
+
+// As on a card that drew finely at the usual size: what a processor draws at a larger one is not in time.
+TEST_F(QualityChoiceTest, IsLowerForALargerScreenAndAsBeforeForTheOthers) {
+  ASSERT_TRUE(studio_->SetQuality(Quality::kFine));
+  stage::QualityForScreens sizes(*studio_, "auto"), as_asked(*studio_, "fine");
+  ScreenOfSize usual(1920, 1080), large(2560, 1440);
   as_asked.See(large);
-  EXPECT_THAT(
-      ::testing::internal::GetCapturedStderr(),
-      ::testing::MatchesRegex("[^\n]*quality basic, since a processor draws at 3840 x 2160 pixels\n"));
+  EXPECT_EQ(studio_->quality(), Quality::kFine);
+  if (passes::QualityFor(studio_->renderer()) != Quality::kBasic)
+    GTEST_SKIP() << studio_->renderer() << " may be fast enough";
+  ::testing::internal::CaptureStderr();
+  sizes.See(large);
+  EXPECT_EQ(studio_->quality(), Quality::kBasic);
+  sizes.See(usual);
+  EXPECT_EQ(studio_->quality(), Quality::kFine);
+  sizes.See(large);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              ::testing::MatchesRegex(
+                  "[^\n]*quality basic: fine would take [0-9]+ ms a frame at 2560 x 1440 pixels\n"))
+      << "it is timed once";
+}
+
+using Times = std::vector<Duration>;
+constexpr std::array kBoth{Quality::kFinest, Quality::kFine};
+
+TEST(TheFirstQualityInTime, IsTheFinestThatIs) {
+  const auto chosen = stage::FirstInTime(kBoth, [](Quality) -> Result<Times> {
+    return Times{3ms, 4ms, 5ms};
+  });
+  EXPECT_EQ(chosen.quality, Quality::kFinest);
+  EXPECT_EQ(chosen.why, "finest, 3.0 ms a frame");
+}
+
+TEST(TheFirstQualityInTime, LeavesOutWhatTheDriverRefuses) {
+  const auto chosen = stage::FirstInTime(kBoth, [](Quality quality) -> Result<Times> {
+    if (quality == Quality::kFinest) return Fail(std::errc::not_supported, "make a shader");
+    return Times{3ms};
+  });
+  EXPECT_EQ(chosen.quality, Quality::kFine);
+}
+
+TEST(TheFirstQualityInTime, IsBasicWhereNoneIsAndSaysWhy) {
+  const auto slow = stage::FirstInTime(kBoth, [](Quality) -> Result<Times> { return Times{30ms, 40ms}; });
+  EXPECT_EQ(slow.quality, Quality::kBasic);
+  EXPECT_EQ(slow.why, "basic: fine would take 30 ms a frame");
+  const auto refused = stage::FirstInTime(
+      kBoth, [](Quality) -> Result<Times> { return Fail(std::errc::not_supported, "make a shader"); });
+  EXPECT_THAT(refused.why, ::testing::HasSubstr("basic: fine was refused (make a shader"));
 }
 
 TEST(FramesInTime, AreJudgedByTheirMedian) {

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -62,9 +64,21 @@ void Walk(const fs::path& folder, int depth, Seen& seen) {
   }
 }
 
+// A disk that was just unmounted is busy for another moment where a service is being started: its folders are copies of all mounts, until
+// they have followed.
+UniqueFd OpenToWrite() {
+  constexpr int kMostTries = 100;
+  UniqueFd disk(::open(kDisk, O_WRONLY | O_CLOEXEC));
+  for (int tries = 0; !disk.valid() && errno == EBUSY && tries < kMostTries; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    disk = UniqueFd(::open(kDisk, O_WRONLY | O_CLOEXEC));
+  }
+  return disk;
+}
+
 // The box's kernel mounts no disk that somebody may write to: it is open for this alone.
 Result<void> WriteDisk(std::span<const std::uint8_t> bytes) {
-  const UniqueFd disk(::open(kDisk, O_WRONLY | O_CLOEXEC));
+  const UniqueFd disk = OpenToWrite();
   if (!disk.valid()) return FailErrno(std::string("open ") + kDisk);
   std::size_t done = 0;
   while (done < bytes.size()) {

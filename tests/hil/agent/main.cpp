@@ -23,7 +23,7 @@
 //   signal NAME NUMBER           to every process of that name
 //   lines request CHIP IN,IN OUT,OUT GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
-//   lines drive N 0|1            output number N
+//   lines drive N 0|1            output number N, driven soon after the answer
 //   dials make                   eight dials on simulated GPIO lines; the name of their chip
 //   dials turn US N,N,...        turns them by so many edges each, with a pause in microseconds after each edge
 //   damaged-disks FIRST COUNT    mounts and reads so many damaged file systems, as DamagedDisks says

@@ -8,7 +8,8 @@ inherit core-image features_check
 REQUIRED_DISTRO_FEATURES = "systemd usrmerge opengl"
 
 IMAGE_FEATURES = "read-only-rootfs"
-IMAGE_INSTALL = "packagegroup-core-boot kaori-box kaori-box-boot mesa-megadriver ${CORE_IMAGE_EXTRA_INSTALL}"
+# Kernels of a BSP have USB cameras, HID devices, serial adapters and sound cards as modules.
+IMAGE_INSTALL = "packagegroup-core-boot kernel-modules kaori-box kaori-box-boot mesa-megadriver ${CORE_IMAGE_EXTRA_INSTALL}"
 IMAGE_LINGUAS = ""
 
 IMAGE_FSTYPES = "wic wic.bmap"
