@@ -27,6 +27,9 @@ constexpr Duration kLongestKeeping = minutes(6);
 constexpr std::string_view kLight = "light + root * root", kNoLight = "root*0.0 * root    ";
 constexpr std::string_view kUpright = "void main() {\n  ivec2 at = ivec2(gl_FragCoord.xy);\n#ifdef SAMPLES";
 constexpr std::string_view kOnItsSide = "void main() {\n  ivec2 at = ivec2(gl_FragCoord.yx);\n#ifdef SAMPLES";
+// A remark there, which changes nothing.
+constexpr std::string_view kRemark = "// A layer over the backdrop.",
+                           kOtherRemark = "// A layer over the BACKDROP.";
 constexpr std::string_view kNotTheFace = "the picture is not that of the face";
 static_assert(kLight.size() == kNoLight.size() && kUpright.size() == kOnItsSide.size());
 
@@ -139,8 +142,6 @@ Result<void> BadVersionsGiveWay(Scene& scene) {
 
 // The control: a version that was changed in the same way, and is good, stays: what gives way does so for what was spoilt.
 Result<void> AGoodVersionStays(Scene& scene) {
-  constexpr std::string_view kRemark = "// A layer over the backdrop.",
-                             kOtherRemark = "// A layer over the BACKDROP.";
   const auto pc = RestartedPc(scene);
   if (!pc) return tl::unexpected(pc.error());
   const BadVersion good{"a good version",

@@ -82,6 +82,19 @@ kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop)
   return kaori::Fail(std::errc::no_such_device, "find a graphics card");
 }
 
+// Opens the stage's screen, again and again. `card` is null where there is none. Borrows all else for as long as it is called.
+std::function<kaori::Result<Screen>()> ScreenOpener(const Settings& settings, kaori::scanout::KmsCard* card,
+                                                    const kaori::Clock& clock, kaori::EventLoop& loop,
+                                                    kaori::stage::QualityForScreens& sizes) {
+  return [&settings, card, &clock, &loop, &sizes]() -> kaori::Result<Screen> {
+    auto screen = settings.card.empty() ? kaori::scanout::LocalScreen::Open(settings.links)
+                  : card != nullptr     ? OpenScreen(*card, clock)
+                                        : AwaitCard(settings.card, loop);
+    if (screen) sizes.See(**screen);
+    return screen;
+  };
+}
+
 // None where nobody says where, or where the disk refuses: an evening without a log is played.
 std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kaori::showlog::LogHead& head) {
   if (settings.log.empty()) return nullptr;
@@ -219,13 +232,8 @@ int Play(const Settings& settings, kaori::service::StartWatch& start, kaori::Eve
   if (!alarm) return kaori::ExitWithError(alarm.error());
   if (!settings.early) stage.SampleLate();
   kaori::stage::QualityForScreens sizes(**studio, settings.quality);
-  kaori::stage::ScreenSession session(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
-    auto screen = settings.card.empty() ? kaori::scanout::LocalScreen::Open(settings.links)
-                  : prepared->card      ? OpenScreen(*prepared->card, clock)
-                                        : AwaitCard(settings.card, loop);
-    if (screen) sizes.See(**screen);
-    return screen;
-  });
+  kaori::stage::ScreenSession session(stage, loop, std::move(*alarm),
+                                      ScreenOpener(settings, card.get(), clock, loop, sizes));
   if (auto begun = session.Begin(); !begun) return kaori::ExitWithError(begun.error());
   kaori::Log("the first picture is drawn");
   clock.LetGo();

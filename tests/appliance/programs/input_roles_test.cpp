@@ -138,7 +138,7 @@ TEST_F(TheServiceKey, StaysAsItWasWhileTheProgramIsStartedAnew) {
 
 TEST_F(TheServiceKey, CountsAsOffWhereNoStartHearsOfItForTenSeconds) {
   ServiceKey(file_, began_).Step(Lines(true), began_);
-  for (int s = 0; s < 10; s += 3) ServiceKey(file_, began_ + std::chrono::seconds(s));
+  for (int s = 0; s < 10; s += 3) const ServiceKey key(file_, began_ + std::chrono::seconds(s));
   ServiceKey key(file_, began_ + std::chrono::seconds(9));
   key.Step(LeftBehind(), began_ + std::chrono::seconds(9));
   EXPECT_TRUE(IsThere());
@@ -150,15 +150,15 @@ TEST_F(TheServiceKey, CountsAsOffWhereNoStartHearsOfItForTenSeconds) {
 
 TEST_F(TheServiceKey, CountsAsOffWhereEachStartEndsBeforeItsFirstStep) {
   ServiceKey(file_, began_).Step(Lines(true), began_);
-  for (int s = 0; s <= 12; s += 3) ServiceKey(file_, began_ + std::chrono::seconds(s));
+  for (int s = 0; s <= 12; s += 3) const ServiceKey key(file_, began_ + std::chrono::seconds(s));
   EXPECT_FALSE(IsThere());
 }
 
 TEST_F(TheServiceKey, IsNotKeptOnByATimeThatMakesNoSense) {
   for (const char* const since : {"9223372036854775807", "-9223372036854775808", "many"}) {
     std::ofstream(file_) << since;
-    ServiceKey(file_, began_);
-    ServiceKey(file_, began_ + ServiceKey::kUnheard + std::chrono::seconds(1));
+    const ServiceKey first(file_, began_);
+    const ServiceKey second(file_, began_ + ServiceKey::kUnheard + std::chrono::seconds(1));
     EXPECT_FALSE(IsThere()) << since;
   }
 }
