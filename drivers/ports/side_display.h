@@ -18,6 +18,12 @@ struct DisplayArea {
   friend bool operator==(const DisplayArea&, const DisplayArea&) = default;
 };
 
+// Whether an area is one, and lies in a picture of this size. Pure.
+constexpr bool IsWithin(const DisplayArea& area, int width_px, int height_px) {
+  return 0 <= area.left_px && area.left_px <= area.right_px && area.right_px <= width_px &&
+         0 <= area.bottom_px && area.bottom_px <= area.top_px && area.top_px <= height_px;
+}
+
 // No call blocks. One thread, that of the screen that owns the display.
 class SideDisplay {
  public:

@@ -67,8 +67,7 @@ Result<void> KmsSideDisplay::Show(std::span<const std::uint8_t> rgbx,
   const auto whole =
       static_cast<std::size_t>(width_px()) * static_cast<std::size_t>(height_px()) * kPixel_bytes;
   const auto is_within = [this](const ports::DisplayArea& area) {
-    return 0 <= area.left_px && area.left_px <= area.right_px && area.right_px <= width_px() &&
-           0 <= area.bottom_px && area.bottom_px <= area.top_px && area.top_px <= height_px();
+    return ports::IsWithin(area, width_px(), height_px());
   };
   if (rgbx.size() != whole || !std::ranges::all_of(areas, is_within))
     return FailInput("show a picture of another size beside the show");

@@ -55,9 +55,7 @@ Result<void> LocalMonitor::Show(std::span<const std::uint8_t> rgbx,
   if (rgbx.size() != header_.picture_bytes())
     return FailInput("show a picture of another size on the monitor");
   for (const ports::DisplayArea& area : areas)
-    if (area.bottom_px < 0 || area.top_px < area.bottom_px || area.top_px > height_px() || area.left_px < 0 ||
-        area.right_px < area.left_px || area.right_px > width_px())
-      return FailInput("show an area beyond the monitor");
+    if (!ports::IsWithin(area, width_px(), height_px())) return FailInput("show an area beyond the monitor");
   header_.count &= ~1U;  // A Show that failed in the middle left it odd.
   if (auto begun = Count(); !begun) return begun;
   const std::size_t row = std::size_t{header_.width_px} * 4;

@@ -22,24 +22,6 @@ namespace {
 constexpr std::size_t kRootBlock_bytes = 4096;  // Of EROFS and of dm-verity.
 constexpr std::size_t kLargestProgram_bytes = std::size_t{64} << 20U;
 
-// A part of a file; a shorter file is an error.
-Result<std::string> ReadAt(const std::string& file, const DiskSpan& span) {
-  std::string bytes(span.bytes, '\0');
-  std::ifstream from(file, std::ios::binary);
-  from.seekg(static_cast<std::streamoff>(span.at_bytes));
-  if (!from.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    return Fail(std::errc::io_error, "read " + file);
-  return bytes;
-}
-
-// Over what is there; the file keeps its length where it is longer.
-Result<void> WriteAt(const std::string& file, std::uint64_t at_bytes, const std::string& bytes) {
-  std::fstream into(file, std::ios::binary | std::ios::in | std::ios::out);
-  into.seekp(static_cast<std::streamoff>(at_bytes));
-  into.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return into.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + file);
-}
-
 // Where in its file a program begins; none where it is no program of 64 bits. ELF-64 (elf(5)): the segment that is loaded there.
 std::optional<std::uint64_t> EntryOf(const std::string& program) {
   Elf64_Ehdr head{};
@@ -82,7 +64,7 @@ Result<BadSlot> BadSlot::Open(std::string disk, std::string image, std::string f
   if (!part) return tl::unexpected(part.error());
   const std::uint64_t bytes = std::stoull(verity->blocks) * kRootBlock_bytes;
   if (bytes > part->bytes) return FailInput(disk + " has no room for the image's root in slot B");
-  auto root = ReadAt(disk, {.at_bytes = part->at_bytes, .bytes = bytes});
+  auto root = ReadPart(disk, {.at_bytes = part->at_bytes, .bytes = bytes});
   if (!root) return tl::unexpected(root.error());
   return BadSlot(std::move(disk), std::move(image), std::move(folder), std::move(*verity), std::move(*root));
 }
@@ -131,7 +113,7 @@ Result<void> BadSlot::Replace(const std::string& program, std::string_view text,
 Result<void> BadSlot::Write() const {
   const std::string root = folder_ + "/bad-root", tree = folder_ + "/bad-tree", log = folder_ + "/verity.log";
   for (const std::string& file : {root, tree}) std::ofstream(file, std::ios::trunc).flush();
-  if (auto ok = WriteAt(root, 0, root_); !ok) return ok;
+  if (auto ok = WritePart(root, 0, root_); !ok) return ok;
   if (auto ok = RunToEnd(
           {"veritysetup", "format", "--hash=" + verity_.digest, "--salt=" + verity_.salt, root, tree}, log);
       !ok)
@@ -147,7 +129,7 @@ Result<void> BadSlot::Write() const {
   for (const auto& [name, bytes] : {std::pair{"root-b", &root_}, std::pair{"verity-b", &*tree_bytes}}) {
     const auto part = PartitionStart_bytes(disk_, name);
     if (!part) return tl::unexpected(part.error());
-    if (auto ok = WriteAt(disk_, *part, *bytes); !ok) return ok;
+    if (auto ok = WritePart(disk_, *part, *bytes); !ok) return ok;
   }
   const std::string before =
       fmt::format("{} 4096 4096 {} 1 {} ", verity_.tree, verity_.blocks, verity_.digest);
@@ -158,14 +140,14 @@ Result<void> BadSlot::Write() const {
 Result<void> ReplaceOnBoot(const std::string& disk, std::string_view text, std::string_view other) {
   const auto boot = PartitionSpan(disk, "boot");
   if (!boot) return tl::unexpected(boot.error());
-  auto bytes = ReadAt(disk, *boot);
+  auto bytes = ReadPart(disk, *boot);
   if (!bytes) return tl::unexpected(bytes.error());
   std::size_t count = 0;
   for (std::size_t at = 0; (at = bytes->find(text, at)) != bytes->npos; ++count, at += other.size())
     bytes->replace(at, text.size(), other);
   if (count == 0 || text.size() != other.size())
     return FailInput(fmt::format("the boot partition has no \"{}\" to be replaced", text));
-  return WriteAt(disk, boot->at_bytes, *bytes);
+  return WritePart(disk, boot->at_bytes, *bytes);
 }
 
 }  // namespace kaori::hil

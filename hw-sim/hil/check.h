@@ -77,6 +77,10 @@ struct Scene {
   // Waits until a face is on the screen of output `head`, and moves. Errors: timed_out.
   Result<void> AwaitMovingFace(int head, Duration longest);
 
+  // Asks the agent what only has to be understood; the answer does not matter. Waits as long as a busy machine may take. Errors: as
+  // AgentProtocol::Ask.
+  Result<void> Tell(const std::string& question);
+
   // The board once all that was done has arrived: two looks, a second apart, see the same dials and pushes. Errors:
   // those of the board.
   Result<BoardView> SettledBoard();

@@ -37,6 +37,13 @@ Result<void> Scene::ShootFace(const std::string& name, const std::string& captio
   return {};
 }
 
+// Two minutes: the agent is beside a face that takes all that the processors give.
+Result<void> Scene::Tell(const std::string& question) {
+  const auto told = target.agent().Ask(question, std::chrono::seconds(120));
+  if (!told) return tl::unexpected(told.error());
+  return {};
+}
+
 // First a face, then a later picture that differs from it: a picture that stands could be the last one of a
 // stage that died.
 Result<void> Scene::AwaitMovingFace(int head, Duration longest) {

@@ -61,10 +61,7 @@ class Partition {
   Result<void> Put(const Moment& moment, std::uint64_t from, std::uint64_t bytes) const {
     const auto content = moment.start->Content(moment.write);
     if (!content) return tl::unexpected(content.error());
-    std::fstream into(file_, std::ios::binary | std::ios::in | std::ios::out);
-    into.seekp(static_cast<std::streamoff>(moment.write.at_bytes + from));
-    into.write(content->data() + from, static_cast<std::streamsize>(bytes));
-    return into.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + file_);
+    return WritePart(file_, moment.write.at_bytes + from, std::string_view(*content).substr(from, bytes));
   }
   // The whole of it.
   Result<void> Put(const Moment& moment) const { return Put(moment, 0, moment.write.bytes); }
@@ -144,10 +141,7 @@ Result<std::string> PartitionFile(Scene& scene, const std::string& disk, const D
   const std::string folder = scene.target.machine().options().folder + "/data-cuts";
   std::filesystem::create_directories(folder);
   std::string file = folder + "/base.ext4";
-  auto ok = RunToEnd({"dd", "if=" + disk, "of=" + file, "bs=1M", "conv=sparse",
-                      fmt::format("skip={}B", span.at_bytes), fmt::format("count={}B", span.bytes)},
-                     file + ".log");
-  if (!ok) return tl::unexpected(ok.error());
+  if (auto ok = CopyPart(disk, span, file, file + ".log"); !ok) return tl::unexpected(ok.error());
   return file;
 }
 

@@ -1,6 +1,7 @@
 #include "hw-sim/hil/disk_copy.h"
 
 #include <algorithm>
+#include <fstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -70,6 +71,29 @@ Result<DiskSpan> PartitionSpan(const std::string& disk, const std::string& name)
 
 Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name) {
   return PartitionSpan(disk, name).map([](const DiskSpan& span) { return span.at_bytes; });
+}
+
+Result<std::string> ReadPart(const std::string& file, const DiskSpan& span) {
+  std::string bytes(span.bytes, '\0');
+  std::ifstream from(file, std::ios::binary);
+  from.seekg(static_cast<std::streamoff>(span.at_bytes));
+  if (from.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return bytes;
+  return Fail(std::errc::io_error, "read " + file);
+}
+
+Result<void> WritePart(const std::string& file, std::uint64_t at_bytes, std::string_view bytes) {
+  std::fstream into(file, std::ios::binary | std::ios::in | std::ios::out);
+  into.seekp(static_cast<std::streamoff>(at_bytes));
+  into.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return into.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + file);
+}
+
+// Partitions begin anywhere, and large blocks are faster.
+Result<void> CopyPart(const std::string& disk, const DiskSpan& span, const std::string& to,
+                      const std::string& log) {
+  return RunToEnd({"dd", "if=" + disk, "of=" + to, "bs=1M", "conv=sparse",
+                   fmt::format("skip={}B", span.at_bytes), fmt::format("count={}B", span.bytes)},
+                  log);
 }
 
 Result<void> CopySparse(const std::string& from, const std::string& to, const std::string& log) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "drivers/base/result.h"
 #include "hw-sim/hil/setup.h"
@@ -21,6 +22,16 @@ Result<DiskSpan> PartitionSpan(const std::string& disk, const std::string& name)
 // Copies a file that is mostly empty, as disks are, to `to`, a file or a folder; a file that is there is replaced. What cp says
 // goes to `log`. Blocks while it copies. Errors: those of cp.
 Result<void> CopySparse(const std::string& from, const std::string& to, const std::string& log);
+
+// A part of a file. Errors: io_error, also where the file is shorter.
+Result<std::string> ReadPart(const std::string& file, const DiskSpan& span);
+
+// Writes over what a file has there; it stays as long as it is, or becomes longer. Errors: io_error.
+Result<void> WritePart(const std::string& file, std::uint64_t at_bytes, std::string_view bytes);
+
+// A part of a disk as a file of its own, sparse; one that is there is replaced. What dd says goes to `log`. Errors: those of dd.
+Result<void> CopyPart(const std::string& disk, const DiskSpan& span, const std::string& to,
+                      const std::string& log);
 
 // A copy of a disk, and where one of its partitions begins on it.
 struct DiskCopy {

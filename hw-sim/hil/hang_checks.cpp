@@ -45,12 +45,6 @@ Result<std::string> ProcessesOf(Scene& scene, const HungProgram& program) {
   return scene.target.agent().Ask(std::string("processes ") + program.name, kHangAnswer);
 }
 
-Result<void> TellHung(Scene& scene, const std::string& question) {
-  const auto told = scene.target.agent().Ask(question, kHangAnswer);
-  if (!told) return tl::unexpected(told.error());
-  return {};
-}
-
 // Waits until the program delivers something that came after that moment. Errors: timed_out.
 Result<void> WantDelivery(Scene& scene, const HungProgram& program, std::int64_t since_ns) {
   const auto delivers = [&](const BoardView& board) { return program.delivers(board, since_ns); };
@@ -82,8 +76,7 @@ Result<Duration> Hang(Scene& scene, const HungProgram& program, Duration longest
   const auto before = ProcessesOf(scene, program);
   if (!before) return tl::unexpected(before.error());
   if (before->empty()) return FailInput(fmt::format("{} does not run", program.name));
-  if (auto ok = TellHung(scene, fmt::format("signal {} 19", program.name)); !ok)
-    return tl::unexpected(ok.error());
+  if (auto ok = scene.Tell(fmt::format("signal {} 19", program.name)); !ok) return tl::unexpected(ok.error());
   // What is newer than this cannot be of the program that hangs.
   const auto hung = scene.target.Board();
   if (!hung) return tl::unexpected(hung.error());
@@ -121,7 +114,7 @@ Result<void> Hung(Scene& scene) {
 // The program that hangs is killed, which its unit answers with a new one.
 Result<void> BringBack(Scene& scene, const HungProgram& program) {
   const auto hung = scene.target.Board();
-  auto ok = TellHung(scene, fmt::format("signal {} 9", program.name));
+  auto ok = scene.Tell(fmt::format("signal {} 9", program.name));
   if (ok) ok = WantDelivery(scene, program, hung ? hung->now_ns : 0);
   return ok;
 }
@@ -141,10 +134,10 @@ Result<void> WantHangsStill(Scene& scene, const HungProgram& program) {
 // The control: a program whose watchdog is off is never replaced, and the check says just that. All is as before afterwards, since
 // the box is shared.
 Result<void> UnwatchedIsNotReplaced(Scene& scene) {
-  auto ok = TellHung(scene, "own /usr/bin/systemctl service-watchdogs no");
+  auto ok = scene.Tell("own /usr/bin/systemctl service-watchdogs no");
   for (const HungProgram& program : kHungPrograms)
     if (ok) ok = WantHangsStill(scene, program);
-  const auto watched = TellHung(scene, "own /usr/bin/systemctl service-watchdogs yes");
+  const auto watched = scene.Tell("own /usr/bin/systemctl service-watchdogs yes");
   return ok ? watched : ok;
 }
 

@@ -1,7 +1,6 @@
 #include "hw-sim/hil/noise_slot.h"
 
 #include <cstdint>
-#include <fstream>
 #include <string_view>
 
 #include "hw-sim/hil/disk_copy.h"
@@ -19,15 +18,13 @@ constexpr std::string_view kPeMagic = "MZ", kCommandLineOfB = "rauc.slot=B";
 Result<std::uint64_t> KernelOfB(const std::string& disk) {
   const auto boot = PartitionSpan(disk, "boot");
   if (!boot) return tl::unexpected(boot.error());
-  std::string bytes(boot->bytes, '\0');
-  std::ifstream file(disk, std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(boot->at_bytes));
-  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    return Fail(std::errc::io_error, "read the boot partition of " + disk);
+  const auto read = ReadPart(disk, *boot);
+  if (!read) return tl::unexpected(read.error());
+  const std::string_view bytes = *read;
   const std::size_t line = bytes.find(kCommandLineOfB);
   if (line == bytes.npos) return FailInput(disk + " has no kernel of slot B");
   std::uint64_t at = line / kMiB * kMiB;
-  while (at > 0 && std::string_view(bytes).substr(at, kPeMagic.size()) != kPeMagic) at -= kMiB;
+  while (at > 0 && bytes.substr(at, kPeMagic.size()) != kPeMagic) at -= kMiB;
   if (at == 0 || at + kKernelFile_bytes > bytes.size())
     return FailInput(disk + " has slot B's kernel in no file of its own");
   return boot->at_bytes + at;
@@ -37,10 +34,7 @@ Result<std::uint64_t> KernelOfB(const std::string& disk) {
 Result<void> PutNoise(const std::string& disk, std::uint64_t at_bytes, std::mt19937& chance) {
   std::string noise(kNoise_bytes, '\0');
   for (char& byte : noise) byte = static_cast<char>(chance());
-  std::fstream file(disk, std::ios::binary | std::ios::in | std::ios::out);
-  file.seekp(static_cast<std::streamoff>(at_bytes));
-  file.write(noise.data(), static_cast<std::streamsize>(noise.size()));
-  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + disk);
+  return WritePart(disk, at_bytes, noise);
 }
 
 }  // namespace

@@ -30,13 +30,6 @@ constexpr double kOpen = 0.25;  // How far a mouth must move.
 // A card on USB and no other.
 const Setup kUsbSound{.sound = false, .usb_sound = true, .width_px = 480, .height_px = 270};
 
-// A question whose answer does not matter.
-Result<void> Ask(Scene& scene, const std::string& question) {
-  const auto told = scene.target.agent().Ask(question, kSoundAnswer);
-  if (!told) return tl::unexpected(told.error());
-  return {};
-}
-
 // The numbers of the lines such as " 0 [Intel          ]: HDA-Intel - HDA Intel".
 std::vector<std::string> CardsOf(Scene& scene, const std::string& kind) {
   std::vector<std::string> numbers;
@@ -93,11 +86,11 @@ Result<void> PlayVoice(Scene& scene, const Loudspeaker& loudspeaker, const std::
   if (before >= kLike) return FailInput("a voice is heard before one speaks");
   // What the loudspeaker's control is called differs from card to card.
   for (const char* const control : {"Master", "PCM", "Speaker"})
-    static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset {} 100% unmute", card, control)));
+    static_cast<void>(scene.Tell(fmt::format("tool amixer -q -c {} sset {} 100% unmute", card, control)));
   for (const std::string& question : {fmt::format("voice {} {}", kVoice, kVoiceSeconds),
                                       // "plughw" converts the voice's one channel to the card's two.
                                       fmt::format("tool aplay -q -D plughw:{},0 {}", card, kVoice)})
-    if (auto ok = Ask(scene, question); !ok) return ok;
+    if (auto ok = scene.Tell(question); !ok) return ok;
   const double after = loudspeaker.HeardVoice();
   scene.finding.said = fmt::format(
       "a voice played, and heard at the card's loudspeaker ({:.2f} like it; {:.2f} before)", after, before);
@@ -113,8 +106,7 @@ Result<void> Sound(Scene& scene) {
   if (auto ok = WantHearing(scene); !ok) return ok;
   // Nobody else may have the cards meanwhile.
   const PausedUnit others(scene, "kaori-lips.service");
-  if (auto ok = Ask(
-          scene,
+  if (auto ok = scene.Tell(
           fmt::format("tool arecord -q -D hw:{},0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav", cards[1]));
       !ok)
     return ok;
@@ -156,7 +148,7 @@ Result<void> NothingPlaysWithoutIt(Scene& scene) {
   Setup silent = kUsbSound;
   silent.usb_sound = false;
   auto ok = box.Play(silent);
-  if (ok) ok = Ask(scene, "read /proc/asound/cards");  // The agent answers: no card is no silence of its own.
+  if (ok) ok = scene.Tell("read /proc/asound/cards");  // The agent answers: no card is no silence of its own.
   if (ok) ok = WantFoundWrong(PlayOnUsb(scene), "a card on USB is heard that is not there");
   box.Off();
   return ok;
@@ -227,8 +219,8 @@ Result<void> VoiceOrSilence(Scene& scene, bool speaks) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
   // Ten times as long as the voice that is compared, so that it goes on while the box is watched.
-  if (auto ok = Ask(scene, fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
-  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
+  if (auto ok = scene.Tell(fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
+  static_cast<void>(scene.Tell(fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
   const auto program = scene.target.agent().Ask(
       fmt::format(
           "start /usr/bin/kaori-lips --microphone hw:{},1,0 --loudspeaker hw:{},0 --sound-delay 60 --board "

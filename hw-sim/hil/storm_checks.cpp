@@ -9,6 +9,7 @@
 
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/held_picture.h"
+#include "hw-sim/hil/stick_scene.h"
 
 namespace kaori::hil {
 namespace {
@@ -27,18 +28,6 @@ constexpr Duration kLongestStorm = seconds(300);
 constexpr std::array kAllPrograms{"kaori-stage", "kaori-fdkeeper", "kaori-input", "kaori-lips"};
 // In the folder of the stage's own files: the last face and the show log are written beside it.
 constexpr const char* kFiller = "/var/lib/kaori/own/filler";
-
-// A question of which only matters that it was understood.
-Result<void> TellStorm(Scene& scene, const std::string& question) {
-  const auto told = scene.target.agent().Ask(question, kStormAnswer);
-  if (!told) return tl::unexpected(told.error());
-  return {};
-}
-
-// The numbers of the processes of that name; empty while there is none.
-std::string NumbersOf(Scene& scene, const char* program) {
-  return scene.target.agent().Ask(std::string("processes ") + program, kStormAnswer).value_or("");
-}
 
 // Looks at the screen without a pause until a stage that was made after `since_ns` draws.
 Result<void> AwaitStage(Scene& scene, HeldPicture& held, std::int64_t since_ns) {
@@ -65,8 +54,9 @@ Result<void> KillAgainAndAgain(Scene& scene, HeldPicture& held) {
   for (std::set<std::string> killed; killed.size() < kKills;) {
     if (scene.target.clock().now() > until)
       return FailInput(fmt::format("the stage came back {} times only", killed.size()));
-    if (const std::string now = NumbersOf(scene, "kaori-stage"); !now.empty() && !killed.contains(now)) {
-      if (auto ok = TellStorm(scene, "signal kaori-stage 9"); !ok) return ok;
+    if (const std::string now = TextInBox(scene, "processes kaori-stage");
+        !now.empty() && !killed.contains(now)) {
+      if (auto ok = scene.Tell("signal kaori-stage 9"); !ok) return ok;
       killed.insert(now);
     }
     if (auto ok = held.Look(scene); !ok) return ok;
@@ -79,12 +69,13 @@ Result<void> KillAgainAndAgain(Scene& scene, HeldPicture& held) {
 // By the service manager at one stroke: its unit's store keeps the card's file while both who hold it are away.
 Result<void> KillEverything(Scene& scene, HeldPicture& held) {
   const auto all_run = [&] {
-    return std::ranges::all_of(kAllPrograms,
-                               [&](const char* program) { return !NumbersOf(scene, program).empty(); });
+    return std::ranges::all_of(kAllPrograms, [&](const char* program) {
+      return !TextInBox(scene, fmt::format("processes {}", program)).empty();
+    });
   };
   if (auto ok = scene.target.Await(all_run, kLongestStorm, "see all programs run"); !ok) return ok;
-  if (auto ok = TellStorm(
-          scene, fmt::format("own /usr/bin/systemctl kill -s KILL {}", fmt::join(kAllPrograms, " ")));
+  if (auto ok =
+          scene.Tell(fmt::format("own /usr/bin/systemctl kill -s KILL {}", fmt::join(kAllPrograms, " ")));
       !ok)
     return ok;
   const auto now = Now(scene);
@@ -125,7 +116,7 @@ Result<void> WithoutItsKeepersThePictureGoes(Scene& scene) {
   constexpr const char* kBoth = "kaori-stage.service kaori-fdkeeper.service";
   auto held = HoldFace(scene, "storm-control", "The face");
   if (!held) return tl::unexpected(held.error());
-  auto ok = TellStorm(scene, fmt::format("own /usr/bin/systemctl stop {}", kBoth));
+  auto ok = scene.Tell(fmt::format("own /usr/bin/systemctl stop {}", kBoth));
   Result<void> looked;
   const auto is_gone = [&] {
     looked = held->Look(scene);
@@ -133,7 +124,7 @@ Result<void> WithoutItsKeepersThePictureGoes(Scene& scene) {
   };
   if (ok) scene.target.Until(is_gone, seconds(30));
   // It says that it failed where the stage takes longer than its job may.
-  static_cast<void>(TellStorm(scene, fmt::format("own /usr/bin/systemctl start {}", kBoth)));
+  static_cast<void>(scene.Tell(fmt::format("own /usr/bin/systemctl start {}", kBoth)));
   if (ok) ok = looked;
   if (ok) ok = scene.AwaitMovingFace(0, kLongestStorm);
   if (!ok) return ok;

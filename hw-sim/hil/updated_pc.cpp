@@ -149,11 +149,7 @@ std::string UpdatedPc::Kept(const std::string& name) const {
   const auto span = PartitionSpan(Disk(), "data");
   if (!span) return {};
   std::filesystem::remove(data);
-  const bool copied =
-      RunToEnd({"dd", "if=" + Disk(), "of=" + data, "bs=1M", "conv=sparse",
-                fmt::format("skip={}B", span->at_bytes), fmt::format("count={}B", span->bytes)},
-               folder_ + "/dd.log")
-          .has_value();
+  const bool copied = CopyPart(Disk(), *span, data, folder_ + "/dd.log").has_value();
   if (!copied || !RunToEnd({"debugfs", "-w", "-R", "journal_run", data}, log)) return {};
   std::filesystem::remove(folder_ + "/kept");
   static_cast<void>(RunToEnd({"debugfs", "-R", "dump " + name + " " + folder_ + "/kept", data}, log));

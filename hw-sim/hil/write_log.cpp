@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "firmware/wire/bytes.h"
+#include "hw-sim/hil/disk_copy.h"
 
 namespace kaori::hil {
 namespace {
@@ -73,20 +74,13 @@ std::uint64_t WriteLog::SectorsOutside(const std::vector<DiskSpan>& spans) const
 }
 
 Result<std::string> WriteLog::Content(const LoggedWrite& write) const {
-  std::string content(write.bytes, '\0');
-  std::ifstream from(file_, std::ios::binary);
-  from.seekg(static_cast<std::streamoff>(write.content_at));
-  if (from.read(content.data(), static_cast<std::streamsize>(write.bytes))) return content;
-  return Fail(std::errc::io_error, "read a write of " + file_);
+  return ReadPart(file_, {.at_bytes = write.content_at, .bytes = write.bytes});
 }
 
 Result<void> WriteLog::Put(const LoggedWrite& write, const std::string& disk) const {
   const auto content = Content(write);
   if (!content) return tl::unexpected(content.error());
-  std::fstream to(disk, std::ios::binary | std::ios::in | std::ios::out);
-  to.seekp(static_cast<std::streamoff>(write.at_bytes));
-  to.write(content->data(), static_cast<std::streamsize>(content->size()));
-  return to.flush() ? Result<void>{} : Fail(std::errc::io_error, "replay a write onto " + disk);
+  return WritePart(disk, write.at_bytes, *content);
 }
 
 // In the order in which the machine's disk finished them.
