@@ -42,6 +42,8 @@ struct BadVersion {
   std::string_view reason;
   // It does nothing for ever, and the hardware's watchdog is not armed yet: somebody switches it off.
   bool is_switched_off = false;
+  // The box has no last face when it is tried: what the version keeps as one must not speak for itself.
+  bool without_last_face = false;
 };
 
 // From what ends before anything of the box runs to what only an eye would see.
@@ -57,6 +59,10 @@ constexpr std::array kBadVersions{
                "kaori-stage"},
     BadVersion{"a black picture", [](BadSlot& slot) { return slot.Replace("kaori-stage", kLight, kNoLight); },
                kNotTheFace},
+    BadVersion{.name = "a black picture on a box without a last face",
+               .spoil = [](BadSlot& slot) { return slot.Replace("kaori-stage", kLight, kNoLight); },
+               .reason = kNotTheFace,
+               .without_last_face = true},
     BadVersion{"another picture",
                [](BadSlot& slot) { return slot.Replace("kaori-stage", kUpright, kOnItsSide); }, kNotTheFace}};
 
@@ -119,6 +125,7 @@ Result<void> TryOnce(Scene& scene, const BadVersion& version) {
   const auto pc = RestartedPc(scene);
   if (!pc) return tl::unexpected(pc.error());
   auto ok = Spoil(scene, *pc, version);
+  if (ok && version.without_last_face) ok = pc->Remove("own/last-face");
   if (ok) ok = pc->Start(scene);
   if (ok) ok = EndTry(scene, version);
   if (ok) ok = WantBefore(scene, *pc, version);
@@ -163,7 +170,8 @@ std::vector<Check> BadUpdateChecks() {
            .run = BadVersionsGiveWay,
            .setup = {.plugged = false, .sound = false, .agent = false},
            .control = AGoodVersionStays,
-           .powers = true}};
+           .powers = true,
+           .release = true}};
 }
 
 }  // namespace kaori::hil

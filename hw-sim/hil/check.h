@@ -119,6 +119,8 @@ struct Check {
   // It kills, stops or replaces programs of the box by itself. Any other check fails where one of them has ended meanwhile: a
   // box that mends itself sooner than a check looks would seem whole.
   bool ends_programs = false;
+  // Of a release alone, since it takes more than a quarter of an hour. Never with `chosen`.
+  bool release = false;
 };
 
 // The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.

@@ -33,6 +33,7 @@ constexpr std::string_view kHelp =
   --play FILE           the scenario that is played
   --only NAMES          these checks, with commas between
   --chosen              those that run each time
+  --release             those of a release too, which take more than a quarter of an hour each
   --list                names the checks, and ends
   --scenes 0            of the scenario, from its beginning; 0 plays all
   --replugs 200         how often cables are pulled and plugged
@@ -61,7 +62,7 @@ struct Settings {
   std::string scenes = "0", replugs = "200", seed = "1", effort = "1", size = "480x270", memory = "512",
               usual_image = "tests/hil/usual_image", sticks = "out/sticks", chip;
   std::string shot, command, disk, arch = "amd64";
-  bool chosen = false, list = false, controls = false, boot = false, trace = false;
+  bool chosen = false, release = false, list = false, controls = false, boot = false, trace = false;
   bool keep_disk = false;
 };
 
@@ -72,11 +73,11 @@ int Exit(const kaori::Error& error) {
   return kaori::ExitWithError(error, kNotTried);
 }
 
-// --only names checks and counts alone; else --chosen leaves those that take long out.
+// --only names checks and counts alone; else --chosen leaves those that take long out, and only --release has all.
 bool Wanted(const kaori::hil::Check& check, const Settings& settings) {
   if (!settings.only.empty())
     return ("," + settings.only + ",").find("," + check.name + ",") != std::string::npos;
-  return !settings.chosen || check.chosen;
+  return settings.chosen ? check.chosen : settings.release || !check.release;
 }
 
 std::vector<kaori::hil::Check> WantedChecks(const Settings& settings) {
@@ -189,7 +190,10 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
 
 int List() {
   for (const auto& check : kaori::hil::AllChecks())
-    fmt::print("{:16} {}{}\n", check.name, check.sentence, check.chosen ? "" : " (long mode)");
+    fmt::print("{:16} {}{}\n", check.name, check.sentence,
+               check.chosen    ? ""
+               : check.release ? " (a release)"
+                               : " (long mode)");
   return 0;
 }
 
@@ -205,6 +209,7 @@ int main(int argc, char** argv) {
       .Text("--report", settings.report);
   options.Text("--figures", settings.figures).Text("--play", settings.play).Text("--only", settings.only);
   options.Switch("--chosen", settings.chosen)
+      .Switch("--release", settings.release)
       .Switch("--list", settings.list)
       .Text("--replugs", settings.replugs);
   options.Text("--effort", settings.effort).Text("--seed", settings.seed).Text("--size", settings.size);

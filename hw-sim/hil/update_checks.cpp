@@ -95,6 +95,7 @@ Result<void> CutItsData(Scene& scene, const UpdateHistory& history) {
   scene.finding.figures["data_cuts_wrong"] = cuts->wrong;
   scene.finding.figures["data_cuts_deciding"] = cuts->deciding;
   if (cuts->wrong > 0) return FailInput(cuts->said);
+  if (cuts->deciding == 0) return FailInput("no cut falls between two states of what the box keeps");
   for (int n = 0; n < kMostLies; n += kLiesAtOnce) {
     const auto lies = CutData(scene, history, history.Disk(), kLiesAtOnce, true);
     if (!lies) return tl::unexpected(lies.error());

@@ -156,6 +156,17 @@ std::string UpdatedPc::Kept(const std::string& name) const {
   return ReadFile(folder_ + "/kept").value_or("");
 }
 
+// debugfs ends well whatever its commands come to, and what it could not remove is still there.
+Result<void> UpdatedPc::Remove(const std::string& name) const {
+  const auto start = PartitionStart_bytes(Disk(), "data");
+  if (!start) return tl::unexpected(start.error());
+  if (Kept(name).empty()) return FailInput("the box keeps no " + name);
+  const std::string data = NameInDebugfs({Disk(), *start}), log = folder_ + "/debugfs.log";
+  for (const std::string& command : {std::string("journal_run"), "rm " + name})
+    if (auto ok = RunToEnd({"debugfs", "-w", "-R", command, data}, log); !ok) return ok;
+  return Kept(name).empty() ? Result<void>{} : Fail(std::errc::io_error, "remove " + name);
+}
+
 // The lowest one of a byte.
 Result<void> UpdatedPc::FlipBit(std::uint64_t at_bytes) const {
   std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);

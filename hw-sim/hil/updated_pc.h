@@ -50,6 +50,8 @@ class UpdatedPc {
   // A file of the data partition as a start would find it: of a copy, whose journal is played. The machine may be writing
   // meanwhile: a copy that was caught in the middle gives another answer at the next look.
   std::string Kept(const std::string& name) const;
+  // Removes such a file while the machine is off. Errors: invalid_argument, there is none; those of debugfs.
+  Result<void> Remove(const std::string& name) const;
   // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first
   // thing that is read of a root. The kernel of slot B then refuses it. Errors: io_error.
   Result<void> SpoilSlotB() const;

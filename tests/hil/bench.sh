@@ -101,8 +101,15 @@ bring_chip() {
   python3 -B tests/firmware/chip.py . $CHIP bring >"$LOGS/chip.log" 2>&1 || say "without the chip's emulator; see $LOGS/chip.log"
 }
 
+# What ./box test measures of a company's own box, for a report that is whole by this run alone.
+try_company() {
+  python3 -B tests/system/company_test.py "$PWD/$BIN" "$PWD/$PACK" docs/guide/box.md out/company.json &&
+    python3 -B tests/system/backup_test.py "$PWD/$BIN" "$PWD/$PACK" out/backup.json
+}
+
 failed_checks=()
 effort=1  # How many times as often the power is cut.
+release=()  # --release: the checks of a release alone, too.
 
 # Runs a command, says whether it passed, and goes on after a failure: run_check SENTENCE COMMAND...
 run_check() {
@@ -120,10 +127,11 @@ run_check() {
 # one has its control in it. Figures of a run before would stand for checks that this one never came to.
 run_all_checks() {
   rm -f out/boot.json
-  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
+  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort "${release[@]}" --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
-  run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json
+  run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json "${release[@]}"
+  run_check "a company's show and backup on this machine (out/backup.json)" try_company
   run_check "a company has all of a box of its own (out/company.json)" tests/system/company_report.py out --whole
 }
 
@@ -150,6 +158,7 @@ test_on_the_bench() {
   [[ $# -eq 0 || $* =~ ^--(chosen|release)$ ]] || fail "test --bench takes --chosen, --release or --arch arm64; see ./box help"
   if [ "$*" = --release ]; then
     effort=25
+    release=(--release)
     shift
   fi
   need "${MACHINE_PACKAGES[@]}"

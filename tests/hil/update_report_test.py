@@ -7,13 +7,13 @@ CASES = [{"log_points": "1800", "log_points_wrong": "0", "good_slot_bytes_change
          {"altered": "200"}, {"altered": "200"}, {"bad_slots": "10", "bad_slots_kept": "0", "tries_to_return": "1"},
          *({"control_found": "1"} for _ in range(7))]
 SEEN = {"update_install_s": 300.0, "start_sectors_written": 0, "power_cycles": 20, "slot_flips": 0, "variable_cuts": 10,
-        "variable_cuts_dead": 0, "bad_versions_booted": 7, "data_cuts": 200, "data_cuts_wrong": 0, "boots_after_cut": 10, "boots_without_face": 0, "update_sectors_astray": 0,
+        "variable_cuts_dead": 0, "bad_versions_booted": 8, "data_cuts": 200, "data_cuts_wrong": 0, "data_cuts_deciding": 1, "boots_after_cut": 10, "boots_without_face": 0, "update_sectors_astray": 0,
         "face_rate_while_installing": 0.97, "added_packed_mb": 0.5, "sbom_files_unmatched": 0, "stale_packages": 0}
 
 
-def faults(*more, passed=True, seen=SEEN, bundle_bytes=80_000_000):
+def faults(*more, passed=True, seen=SEEN, bundle_bytes=80_000_000, is_release=True):
     found = update_report.figures([*more, *CASES], passed, seen, bundle_bytes)
-    return list(update_report.bounded_report.faults(found, update_report.BOUNDS))
+    return list(update_report.bounded_report.faults(found, update_report.BOUNDS, update_report.OF_A_RELEASE, is_release))
 
 
 def main():
@@ -22,7 +22,10 @@ def main():
     for wrong in ({"log_points_wrong": "1"}, {"bad_slots_kept": "1"}, {"tries_to_return": "2"}, {"control_found": "0"}):
         assert len(faults(wrong)) == 1, wrong
     assert faults(passed=False) == ["altered_installed was not measured", "altered_wrote_a_byte was not measured"]
-    assert len(faults(seen={})) == 16
+    assert len(faults(seen={})) == 17
+    usual = {name: figure for name, figure in SEEN.items() if name != "bad_versions_booted"}
+    assert faults(seen=usual) == ["bad_versions_booted was not measured; ./box test --release does"]
+    assert faults(seen=usual, is_release=False) == []
     assert faults(seen=SEEN | {"stale_packages": 2}) == ["stale_packages is 2, and 0 to 0 is wanted"]
     assert faults(bundle_bytes=None) == ["bundle_mb was not measured"]
     assert len(faults(bundle_bytes=96_000_000)) == 1
