@@ -14,8 +14,8 @@ run_tests() {
     return
   fi
   if [ "${1:-}" = --release ]; then
-    [ $# -eq 1 ] || fail "test --release takes nothing else; see ./box help"
-    test_on_the_bench --release
+    [[ $# -eq 1 || ($# -eq 2 && $2 == --go-on) ]] || fail "test --release takes --go-on; see ./box help"
+    test_on_the_bench "$@"
     return
   fi
   if [ "${1:-}" = --arm64 ]; then

@@ -168,6 +168,8 @@ struct Writes {
   std::vector<std::size_t> all, deciding;
 };
 
+// Names of a transaction stand in blocks that are written before its record, and are forgotten behind it. A name may stand in something else
+// that was written, too: such a point decides nothing, and does no harm.
 Result<Writes> WritesOf(const std::vector<Moment>& moments) {
   Writes writes;
   bool names_kept = false;

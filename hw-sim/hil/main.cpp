@@ -11,12 +11,15 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/checksum.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
+#include "drivers/base/read_file.h"
 #include "hw-sim/hil/boot_command.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/check_runner.h"
+#include "hw-sim/hil/kept_report.h"
 #include "hw-sim/hil/report.h"
 
 namespace {
@@ -34,6 +37,7 @@ constexpr std::string_view kHelp =
   --only NAMES          these checks, with commas between
   --chosen              those that run each time
   --release             those of a release too, which take more than a quarter of an hour each
+  --go-on               what has passed in the report's folder, on this very image and bench, is not tried again
   --list                names the checks, and ends
   --scenes 0            of the scenario, from its beginning; 0 plays all
   --replugs 200         how often cables are pulled and plugged
@@ -62,7 +66,8 @@ struct Settings {
   std::string scenes = "0", replugs = "200", seed = "1", effort = "1", size = "480x270", memory = "512",
               usual_image = "tests/hil/usual_image", sticks = "out/sticks", chip;
   std::string shot, command, disk, arch = "amd64";
-  bool chosen = false, release = false, list = false, controls = false, boot = false, trace = false;
+  bool chosen = false, release = false, go_on = false, list = false, controls = false, boot = false,
+       trace = false;
   bool keep_disk = false;
 };
 
@@ -98,6 +103,18 @@ std::string RootHash(const std::string& image) {
   for (std::string word, hash; line >> word; hash = word)
     if (hash == "blake2b-512") return word;
   return {};
+}
+
+// All that a finding depends on: the image, this program and the agent that was built with it, and how much is tried.
+std::string TrialOf(const Settings& settings, const std::string& root_hash) {
+  const std::filesystem::path bench = std::filesystem::read_symlink("/proc/self/exe");
+  std::uint64_t sum = kaori::kFnvBasis;
+  for (const std::string file : {bench, bench.parent_path() / "kaori-hil-agent"})
+    if (const auto bytes = kaori::ReadFile(file, {.most_bytes = std::size_t{1} << 30U}))
+      sum = kaori::Fnv1a(*bytes, sum);
+  return fmt::format("image {}, bench {:016x}, {} scenes, {} replugs, effort {}, seed {}{}", root_hash, sum,
+                     settings.scenes, settings.replugs, settings.effort, settings.seed,
+                     settings.controls ? ", controls" : "");
 }
 
 // For sockets, whose paths have 108 bytes at most (unix(7)): the report's folder may lie too deep.
@@ -172,16 +189,21 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
        .controls = settings.controls},
       **target);
   kaori::hil::Report report{.image = settings.image, .root_hash = RootHash(settings.image), .checks = {}};
+  const std::string trial = TrialOf(settings, report.root_hash);
+  const auto kept = settings.go_on ? kaori::hil::KeptPasses(trial, settings.report)
+                                   : std::vector<kaori::hil::ReportedCheck>();
   for (const auto& check : WantedChecks(settings)) {
-    report.checks.push_back(runner.Run(check));
+    const auto passed = std::ranges::find(kept, check.name, &kaori::hil::ReportedCheck::name);
+    report.checks.push_back(passed != kept.end() ? *passed : runner.Run(check));
     Tell(report.checks.back());
     report.boot_s = runner.boot_s();
-    // After each check: a run that is cut short leaves the report of what was done.
-    if (auto ok = kaori::hil::WriteReport(report, settings.report); !ok) return Exit(ok.error());
+    // After each check: a run that is cut short leaves what was done.
+    auto ok = kaori::hil::WriteReport(report, settings.report);
+    if (ok) ok = kaori::hil::KeepReport(report, trial, settings.report);
+    if (ok && !settings.figures.empty()) ok = kaori::hil::MergeFigures(report, settings.figures);
+    if (!ok) return Exit(ok.error());
   }
   runner.End();
-  if (!settings.figures.empty())
-    if (auto ok = kaori::hil::MergeFigures(report, settings.figures); !ok) return Exit(ok.error());
   fmt::print("{} passed, {} failed, {} skipped; see {}/report.html\n",
              report.count(kaori::hil::Verdict::kPassed), report.count(kaori::hil::Verdict::kFailed),
              report.count(kaori::hil::Verdict::kSkipped), settings.report);
@@ -210,6 +232,7 @@ int main(int argc, char** argv) {
   options.Text("--figures", settings.figures).Text("--play", settings.play).Text("--only", settings.only);
   options.Switch("--chosen", settings.chosen)
       .Switch("--release", settings.release)
+      .Switch("--go-on", settings.go_on)
       .Switch("--list", settings.list)
       .Text("--replugs", settings.replugs);
   options.Text("--effort", settings.effort).Text("--seed", settings.seed).Text("--size", settings.size);

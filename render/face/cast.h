@@ -105,6 +105,9 @@ struct Face {
   float outgrowth_kind = 0;
   // How far each vertex of Topology::outgrowth moves when it is withdrawn, metres. Empty: not at all.
   std::vector<glm::vec3> withdrawn;
+  // How far each vertex of Topology::outgrowth moves for each radian of the upper joint (x) and of the lower one (y) of what
+  // hangs at its side, metres. Empty: nothing of this face hangs.
+  std::vector<glm::vec2> hang_arms_m;
   // What displacements are multiplied with on this face: a kettle has to try harder.
   float expression_gain = 1;
   // Of the fine mesh: triangles that show this face alone as FineMesh::triangles do, with larger ones where it is

@@ -81,6 +81,12 @@ void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
   if (!face.withdrawn.empty())
     faults.Size(item + ", withdrawn", face.withdrawn.size(), cast.topology.outgrowth.size());
   faults.Finite(item + ", withdrawn", face.withdrawn);
+  if (!face.hang_arms_m.empty())
+    faults.Size(item + ", arms of what hangs", face.hang_arms_m.size(), cast.topology.outgrowth.size());
+  if (std::ranges::any_of(face.hang_arms_m, [](glm::vec2 arms) {
+        return !(std::abs(arms.x) <= kFarthest_m) || !(std::abs(arms.y) <= kFarthest_m);
+      }))
+    faults.Add(item + ": an arm of what hangs is no length below 10 m");
   if (!Is0To1(face.outgrowth_kind)) faults.Add(item + ": its kind of outgrowth is not within 0 to 1");
   const std::span<const Index> corners(face.sparse.empty() ? nullptr : face.sparse.front().data(),
                                        face.sparse.size() * 3);

@@ -62,8 +62,10 @@ struct Composer::Work {
   void GatherFace(const Term& face, const Weights& weights);
   // The sum itself, into `cage`.
   void BlendCage(float mouth_given_away);
-  // Outgrowths of faces that are not of one kind go back into the head, in `cage`.
-  void Withdraw(const Cast& cast, const Terms& faces);
+  // Outgrowths of faces that are not of one kind go back into the head, in `cage`. Returns how far, 0 to 1.
+  float Withdraw(const Cast& cast, const Terms& faces);
+  // What hangs from the head swings, in `cage`, as far as it is not withdrawn.
+  void Hang(const Cast& cast, const Weights& weights, float withdrawn);
   // From the cage, with lids in place, to the fine mesh.
   void Refine(const Shape& of);
   void ComputeNormals(Detail detail);
@@ -150,17 +152,33 @@ void Composer::Work::BlendCage(float mouth_given_away) {
 
 // Wholly from a quarter on: what grew out of the one head is gone before what grows out of the other is seen.
 // Nothing happens to faces of one kind, whatever their weights.
-void Composer::Work::Withdraw(const Cast& cast, const Terms& faces) {
+float Composer::Work::Withdraw(const Cast& cast, const Terms& faces) {
   float kind = 0;
   for (const Term& t : faces) kind += t.weight * cast.faces[t.index].outgrowth_kind;
   const float mixed = 4 * kind * (1 - kind);
-  if (!(mixed > 0)) return;
+  if (!(mixed > 0)) return 0;
   const float gone = 1 - (1 - mixed) * (1 - mixed);
   const auto& vertices = cast.topology.outgrowth;
   const auto positions = cage.vertices(cast.topology.vertex_count);
   for (const Term& t : faces) {
     const auto& ways = cast.faces[t.index].withdrawn;
     for (std::size_t i = 0; i < ways.size(); ++i) positions[vertices[i]] += t.weight * gone * ways[i];
+  }
+  return gone;
+}
+
+// Few vertices, and of few faces: for the others nothing is done. The side is that of the face at rest.
+void Composer::Work::Hang(const Cast& cast, const Weights& weights, float withdrawn) {
+  const auto& vertices = cast.topology.outgrowth;
+  const auto positions = cage.vertices(cast.topology.vertex_count);
+  for (const Term& t : weights.faces) {
+    const Face& face = cast.faces[t.index];
+    for (std::size_t i = 0; i < face.hang_arms_m.size(); ++i) {
+      const Hanging& side = weights.hanging[face.positions[vertices[i]].x < 0 ? 1 : 0];
+      const glm::vec2 by_m = (t.weight * (1 - withdrawn)) * (face.hang_arms_m[i].x * side.upper_rad +
+                                                             face.hang_arms_m[i].y * side.lower_rad);
+      positions[vertices[i]] += glm::vec3(by_m.x, 0, by_m.y);
+    }
   }
 }
 
@@ -227,7 +245,8 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   work_->Refresh(cast_, playable);
   work_->Gather(playable);
   work_->BlendCage(playable.mouth_given_away);
-  work_->Withdraw(cast_, playable.faces);
+  const float withdrawn = work_->Withdraw(cast_, playable.faces);
+  work_->Hang(cast_, playable, withdrawn);
   work_->BlendOcclusion(playable.faces);
   if (detail == Detail::kFine) work_->RefineOcclusion();
 

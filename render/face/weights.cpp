@@ -37,6 +37,18 @@ float PartOf1(float value) {
   return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.0F;
 }
 
+// Angles that are no numbers are none.
+glm::vec2 NoFarther(glm::vec2 angle_rad) {
+  const auto bounded = [](float a) {
+    return std::isfinite(a) ? std::clamp(a, -kFarthestHanging_rad, kFarthestHanging_rad) : 0.0F;
+  };
+  return {bounded(angle_rad.x), bounded(angle_rad.y)};
+}
+
+Hanging Playable(const Hanging& side) {
+  return {NoFarther(side.upper_rad), NoFarther(side.lower_rad)};
+}
+
 }  // namespace
 
 // Full lists keep what is heaviest.
@@ -74,7 +86,8 @@ Weights Playable(const Weights& weights, std::size_t faces, std::size_t expressi
           .expressions = PlayableTerms(weights.expressions, expressions),
           .channels = PlayableTerms(weights.channels, expressions),
           .mouth_given_away = PartOf1(weights.mouth_given_away),
-          .lids_shut = {PartOf1(weights.lids_shut[0]), PartOf1(weights.lids_shut[1])}};
+          .lids_shut = {PartOf1(weights.lids_shut[0]), PartOf1(weights.lids_shut[1])},
+          .hanging = {Playable(weights.hanging[0]), Playable(weights.hanging[1])}};
 }
 
 }  // namespace kaori::face

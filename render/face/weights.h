@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <glm/vec2.hpp>
+
 namespace kaori::face {
 
 // One thing that has weight: the index of a face in Cast::faces, or of an expression in Cast::expressions.
@@ -43,6 +45,12 @@ class Terms {
   int size_ = 0;
 };
 
+// How what hangs at one side of the head swings, as a chain of two joints: sideways (+X) and forwards (+Z).
+struct Hanging {
+  glm::vec2 upper_rad{};
+  glm::vec2 lower_rad{};
+};
+
 // P = sum_i s_i ( B_i + sum_j t_j E_ij + sum_k c_k A_ik )
 //
 // With two faces and two expressions and no channel this is equation 1 of Arai et al. 1994:
@@ -60,13 +68,17 @@ struct Weights {
   float mouth_given_away = 0;
   // 0 open .. 1 shut: the character's left, right.
   std::array<float, 2> lids_shut{};
+  // The character's left, right; on faces of which something hangs (Face::hang_arms_m).
+  std::array<Hanging, 2> hanging{};
 };
 
 // What can be played of `weights` by a cast of so many faces and expressions: terms that are not finite, or
 // name nothing, are left out; the others are kept within kHeaviest, the faces are brought to the sum 1 (face
-// 0 alone if they come near to cancelling out), and what is a part of something is kept within 0..1.
+// 0 alone if they come near to cancelling out), what is a part of something is kept within 0..1, and what hangs within kFarthestHanging_rad.
 Weights Playable(const Weights& weights, std::size_t faces, std::size_t expressions);
 // Beyond this, by magnitude, no weight is played: the face would leave the picture.
 inline constexpr float kHeaviest = 4;
+// Beyond this an arm of its length is no swing any more.
+inline constexpr float kFarthestHanging_rad = 1;
 
 }  // namespace kaori::face

@@ -109,6 +109,7 @@ try_company() {
 
 failed_checks=()
 effort=1  # How many times as often the power is cut.
+go_on=()    # --go-on: what has passed before is not tried again.
 release=()  # --release: the checks of a release alone, too.
 
 # Runs a command, says whether it passed, and goes on after a failure: run_check SENTENCE COMMAND...
@@ -127,7 +128,7 @@ run_check() {
 # one has its control in it. Figures of a run before would stand for checks that this one never came to.
 run_all_checks() {
   rm -f out/boot.json
-  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort "${release[@]}" --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
+  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort "${release[@]}" "${go_on[@]}" --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
   run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json "${release[@]}"
@@ -155,7 +156,11 @@ test_arm64_on_the_bench() {
 # --chosen: what runs each time. --release: cuts of the power as often as a release wants them, for hours.
 test_on_the_bench() {
   if [ "$*" = "--arch arm64" ]; then test_arm64_on_the_bench; return; fi
-  [[ $# -eq 0 || $* =~ ^--(chosen|release)$ ]] || fail "test --bench takes --chosen, --release or --arch arm64; see ./box help"
+  if [ "${*: -1}" = --go-on ]; then
+    go_on=(--go-on)
+    set -- "${@:1:$#-1}"
+  fi
+  [[ $# -eq 0 || $* =~ ^--(chosen|release)$ ]] || fail "test --bench takes --chosen, --go-on, --release or --arch arm64; see ./box help"
   if [ "$*" = --release ]; then
     effort=25
     release=(--release)

@@ -193,8 +193,9 @@ TEST(Expressions, AreToldApartFromTheLastRow) {
   tests::Report("expressions_confused", confused);
 }
 
-// How far a place of the unrolled face rises with an expression, millimetres.
-double Rise_mm(const face::Cast& cast, std::string_view point, std::string_view expression) {
+// How far a place of the unrolled face rises with an expression on this face, millimetres.
+double Rise_mm(const face::Cast& cast, std::uint16_t face, std::string_view point,
+               std::string_view expression) {
   const auto named = [&](std::string_view name) {
     const auto found = std::ranges::find(cast.expressions, name, &face::Expression::name);
     return static_cast<std::uint16_t>(found - cast.expressions.begin());
@@ -209,19 +210,30 @@ double Rise_mm(const face::Cast& cast, std::string_view point, std::string_view 
   face::Composer composer(cast);
   const auto height_m = [&](std::uint16_t worn) {
     face::Weights weights;
-    weights.faces.Push(0, 1);
+    weights.faces.Push(face, 1);
     weights.expressions.Push(worn, 1);
     return composer.Compose(weights, face::Detail::kCage).cage[nearest].y;
   };
   return 1000 * (height_m(named(expression)) - height_m(0));
 }
 
-TEST(Smile, TakesCheeksAndLowerLidsAlong) {
+// Of everybody with a face of flesh: a mask, a kettle and a robot have no cheeks, and a dog smiles with its muzzle.
+constexpr std::array<std::string_view, 6> kPeople{"kaori",     "round",    "child",
+                                                  "old_woman", "narrator", "poster"};
+
+TEST(Smile, TakesCheeksAndLowerLidsOfAllPeopleAlong) {
   const face::Cast cast = tests::ClothedCast();
-  const double cheek_mm = Rise_mm(cast, "K1.l", "smile");
-  const double lid_mm = Rise_mm(cast, "L2.l", "smile");
-  EXPECT_GE(cheek_mm, 2.5);
-  EXPECT_GE(lid_mm, 1.5);
+  double cheek_mm = 1000, lid_mm = 1000;
+  for (std::uint16_t face = 0; face < cast.faces.size(); ++face) {
+    const std::string& name = cast.faces[face].name;
+    if (std::ranges::find(kPeople, name) == kPeople.end()) continue;
+    const double its_cheek_mm = Rise_mm(cast, face, "K1.l", "smile"),
+                 its_lid_mm = Rise_mm(cast, face, "L2.l", "smile");
+    EXPECT_GE(its_cheek_mm, 2.5) << name;
+    EXPECT_GE(its_lid_mm, 1.5) << name;
+    cheek_mm = std::min(cheek_mm, its_cheek_mm);
+    lid_mm = std::min(lid_mm, its_lid_mm);
+  }
   tests::Report("smile_cheek_rise_mm", cheek_mm);
   tests::Report("smile_lower_lid_rise_mm", lid_mm);
 }

@@ -9,7 +9,7 @@ the same machine at the same time. A figure that is not measured now stays as it
   lean_collar_crossings     places where the neck stands before the collar, over all faces and leans
   morph_garment_overlap_px  pixels to which two garments contribute, over all pairs of faces
   morph_shoulder_notch_px   how far shoulders of two faces step back below a garment that stands off them, of 120
-  smile_cheek_rise_mm       of the cheeks, from rest to a smile
+  smile_cheek_rise_mm       of the cheeks, from rest to a smile, of whom it is least
   gaze_hold_error_deg       how far her eyes leave their goal while a stick turns the head
   life_repeat_s             after so long she does for 20 s what she did before; where she never did, how long was looked at
   look_fps_960x540          frames a second of the default look, drawn by the processor

@@ -106,5 +106,34 @@ TEST(Outgrowths, StayBetweenHeadsWithEars) {
   EXPECT_TRUE(std::ranges::equal(with, without));
 }
 
+// The dog's ears hang and swing with the tip farthest; no other face has anything that moves with them.
+TEST(Outgrowths, TheDogsEarsAloneSwing) {
+  const face::Cast cast = tests::ClothedCast();
+  face::Composer composer(cast);
+  for (std::uint16_t face = 0; face < cast.faces.size(); ++face) {
+    face::Weights weights;
+    weights.faces.Push(face, 1);
+    weights.expressions.Push(0, 1);
+    const auto cage = composer.Compose(weights, face::Detail::kCage).cage;
+    const std::vector<glm::vec3> rest(cage.begin(), cage.end());
+    for (face::Hanging& side : weights.hanging) side = {{0, 0.3F}, {0, 0.3F}};
+    const auto swung = composer.Compose(weights, face::Detail::kCage).cage;
+    float farthest_m = 0;
+    std::size_t tip = 0, moved = 0;
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+      const float by_m = glm::distance(rest[v], swung[v]);
+      moved += by_m > 0 ? 1 : 0;
+      if (by_m > farthest_m) farthest_m = by_m, tip = v;
+    }
+    if (cast.faces[face].name != "dog") {
+      EXPECT_EQ(moved, 0U) << cast.faces[face].name;
+      continue;
+    }
+    EXPECT_GT(moved, 100U);
+    EXPECT_NEAR(farthest_m, 0.3F * 0.09F, 0.01F);
+    EXPECT_LT(rest[tip].y, -0.02F) << "the lower end";
+  }
+}
+
 }  // namespace
 }  // namespace kaori

@@ -140,6 +140,14 @@ const Fault kFaults[] = {
      "face \"round\", withdrawn"},
     {"OutgrowthOfNoKind", [](face::Cast& c) { c.faces[1].outgrowth_kind = 2; },
      "face \"round\": its kind of outgrowth is not within 0 to 1"},
+    {"ArmsOfAnotherNumberOfVertices", [](face::Cast& c) { c.faces[1].hang_arms_m.resize(2); },
+     "face \"round\", arms of what hangs"},
+    {"AnArmThatIsNoLength",
+     [](face::Cast& c) {
+       c.topology.outgrowth = {7};
+       c.faces[1].hang_arms_m = {{0, kNan}};
+     },
+     "face \"round\": an arm of what hangs is no length below 10 m"},
     {"NeckIsNowhere", [](face::Cast& c) { c.neck_pivot.z = kNan; },
      "cast: the neck or the mouth has no position"},
     {"NoFace", [](face::Cast& c) { c.faces.clear(); }, "cast: has no face"},

@@ -213,6 +213,44 @@ TEST(Composer, WithdrawsOutgrowthsBetweenFacesOfTwoKindsAlone) {
   EXPECT_GT(rises_m(0, 1, 0.25F), 0.9F);
 }
 
+// Vertex 5 hangs from the upper joint alone, vertex 9 from both; the sides are those of the face at rest.
+TEST(Composer, SwingsWhatHangsFromAFaceByItsWeight) {
+  Cast cast = MakeSyntheticCast();
+  cast.topology.outgrowth = {5, 9};
+  cast.faces[1].positions[5].x = 0.1F;
+  cast.faces[1].positions[9].x = -0.1F;
+  cast.faces[1].hang_arms_m = {{0.02F, 0}, {0.04F, 0.03F}};
+  Composer composer(cast);
+  const auto swung = [&](float share, std::size_t vertex) {
+    Weights w;
+    w.faces.Push(0, 1 - share);
+    w.faces.Push(1, share);
+    const glm::vec3 rest = composer.Compose(w, Detail::kCage).cage[vertex];
+    w.hanging[0] = {{0.5F, -0.25F}, {9, 9}};
+    w.hanging[1] = {{-0.5F, 0.25F}, {0.1F, 0.2F}};
+    return composer.Compose(w, Detail::kCage).cage[vertex] - rest;
+  };
+  const auto near = [](glm::vec3 a, glm::vec3 b) { return glm::distance(a, b) < 1e-6F; };
+  EXPECT_TRUE(near(swung(1, 5), {0.01F, 0, -0.005F}));
+  EXPECT_TRUE(near(swung(1, 9), {-0.02F + 0.003F, 0, 0.01F + 0.006F}));
+  EXPECT_TRUE(near(swung(0.5F, 5), {0.005F, 0, -0.0025F}));
+  EXPECT_EQ(swung(0, 5), glm::vec3(0)) << "of the other face nothing hangs";
+}
+
+TEST(Composer, SwingsNothingByWhatIsNoAngle) {
+  Cast cast = MakeSyntheticCast();
+  cast.topology.outgrowth = {5};
+  cast.faces[0].hang_arms_m = {{0.1F, 0}};
+  Composer composer(cast);
+  Weights w;
+  w.faces.Push(0, 1);
+  const glm::vec3 rest = composer.Compose(w, Detail::kCage).cage[5];
+  w.hanging[0].upper_rad = w.hanging[1].upper_rad = {std::numeric_limits<float>::quiet_NaN(), 900};
+  const glm::vec3 swung = composer.Compose(w, Detail::kCage).cage[5] - rest;
+  EXPECT_EQ(swung.x, 0);
+  EXPECT_NEAR(swung.z, 0.1F * face::kFarthestHanging_rad, 1e-6F);
+}
+
 TEST(Composer, BlendsOcclusionAndFollowsANewFade) {
   Cast cast = MakeSyntheticCast();
   cast.faces[1].occlusion.assign(cast.topology.vertex_count, 0.5F);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <variant>
 
 #include <glm/geometric.hpp>
@@ -94,6 +95,35 @@ bool IsTurned(const FaceRecipe& face) {
   return std::holds_alternative<Turned>(face.shape);
 }
 
+// The height from which an animal's ears hang; nothing where none do.
+std::optional<double> HangsFrom_cm(const FaceRecipe& face) {
+  const auto* const warped = std::get_if<Warped>(&face.shape);
+  return warped != nullptr ? warped->ear.hangs_from_y : std::nullopt;
+}
+
+// The integral from 0 to t of what is 0 up to a quarter, 1 from three quarters on, and a smooth step between them.
+float LowerShare(float t) {
+  const float u = std::clamp((t - 0.25F) / 0.5F, 0.0F, 1.0F);
+  return 0.5F * u * u * u * (1 - 0.5F * u) + std::max(t - 0.75F, 0.0F);
+}
+
+// In the order of the outgrowth, metres; what does not hang has no arms. `from_m` is the height of the upper joint.
+// It hangs straight down, and bends smoothly: an angle moves a point by as much as it lies below the part that has the angle.
+std::vector<glm::vec2> HangArms(const Cage& cage, const face::Topology& topology, const face::Face& face,
+                                float from_m) {
+  const auto hangs = [&](Index v) { return cage.key(v).region != Region::kGrid; };
+  float lowest_m = from_m;
+  for (const Index v : topology.outgrowth)
+    if (hangs(v)) lowest_m = std::min(lowest_m, face.positions[v].y);
+  const float long_m = from_m - lowest_m;
+  std::vector<glm::vec2> arms;
+  for (const Index v : topology.outgrowth) {
+    const float t = hangs(v) && long_m > 0 ? std::max(from_m - face.positions[v].y, 0.0F) / long_m : 0;
+    arms.push_back(long_m * glm::vec2(t - LowerShare(t), LowerShare(t)));
+  }
+  return arms;
+}
+
 // The neck below row kNeckRows, and the ear's block with its cap, out of which a kettle's handle is drawn
 // too.
 bool Grows(const Key& key) {
@@ -104,23 +134,31 @@ bool Grows(const Key& key) {
 }  // namespace
 
 // Withdrawn places are kept as offsets in metres from the face's own positions, in the order of the
-// outgrowth. In a cast of one kind nothing is mixed that differs in it, and the lists stay empty.
+// outgrowth. In a cast of one kind nothing is mixed that differs in it, and those lists stay empty.
 void AddOutgrowths(const Cage& cage, const std::vector<ShapedFace>& shaped, const CastRecipe& recipe,
                    face::Cast& cast) {
   cast.topology.outgrowth.clear();
   const auto turned = std::ranges::count_if(recipe.faces, IsTurned);
-  if (turned == 0 || turned == static_cast<std::ptrdiff_t>(recipe.faces.size())) return;
+  const bool differs = turned != 0 && turned != static_cast<std::ptrdiff_t>(recipe.faces.size());
+  const bool hangs = std::ranges::any_of(
+      recipe.faces, [](const FaceRecipe& face) { return HangsFrom_cm(face).has_value(); });
+  if (!differs && !hangs) return;
   for (Index v = 0; v < cage.vertices.size(); ++v) {
     if (Grows(cage.key(v))) cast.topology.outgrowth.push_back(v);
   }
   for (std::size_t i = 0; i < cast.faces.size(); ++i) {
     face::Face& face = cast.faces[i];
+    face.withdrawn.clear();
+    face.hang_arms_m.clear();
+    if (const auto from_cm = HangsFrom_cm(recipe.faces[i]))
+      face.hang_arms_m =
+          HangArms(cage, cast.topology, face, static_cast<float>(*from_cm * kMetresPerCentimetre));
+    if (!differs) continue;
     face.outgrowth_kind = IsTurned(recipe.faces[i]) ? 1.0F : 0.0F;
     HalfShape withdrawn = shaped[i].shape;
     WithdrawEar(cage.half, withdrawn);
     if (!IsTurned(recipe.faces[i])) WithdrawNeck(cage.half, withdrawn);
     const auto positions = WholePositions(cage, withdrawn.position);
-    face.withdrawn.clear();
     for (const Index v : cast.topology.outgrowth)
       face.withdrawn.push_back(glm::vec3(positions[v] * kMetresPerCentimetre) - face.positions[v]);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -96,6 +97,8 @@ struct Tube {
   std::vector<double> half_thickness;
   glm::dvec3 width_direction{};
   double cap = 0;  // How far the end bulges.
+  // The height of the joint from which it hangs and swings; none where it stands.
+  std::optional<double> hangs_from_y{};
 };
 
 // The reference face pulled to landmarks.

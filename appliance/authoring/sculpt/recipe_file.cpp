@@ -133,12 +133,13 @@ Carved ReadCarved(toml::Section& file, Carved carved) {
 // [ear_tube] of an animal, [handle] of a kettle: one station for each ring of the ear, and the one
 // inside the head.
 Tube ReadTube(toml::Section section) {
-  section.AllowOnly({"path", "half_width", "half_thickness", "width_direction", "cap"});
+  section.AllowOnly({"path", "half_width", "half_thickness", "width_direction", "cap", "hangs_from_y"});
   Tube tube{.path = section.Points("path"),
             .half_width = section.Numbers("half_width"),
             .half_thickness = section.Numbers("half_thickness"),
             .width_direction = section.Point("width_direction"),
             .cap = section.NumberOr("cap", 0)};
+  if (section.Has("hangs_from_y")) tube.hangs_from_y = section.Number("hangs_from_y");
   constexpr std::size_t kStations = kEarRings + 1;
   NeedCount(section, "path", tube.path.size(), kStations);
   NeedCount(section, "half_width", tube.half_width.size(), kStations);

@@ -18,6 +18,7 @@
 #include "appliance/core/performance/mouth.h"
 #include "appliance/core/performance/operator_input.h"
 #include "appliance/core/performance/pose_sum.h"
+#include "appliance/core/performance/swing.h"
 #include "render/face/jaw.h"
 
 namespace kaori::performance {
@@ -200,9 +201,12 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   AddBrowsAndLids(state.brow + idle.brow, show.channels, scene.gaze[0], motion.channels);
   motion.lids = std::max(motion.lids, LidsAsleep(state.lobby));
   Weigh(state, board, show, motion, scene, dt_s);
-  Swing(state.sway, scene.head, dt_s);
+  SwingHair(state.sway, scene.head, dt_s);
   for (std::size_t part = 0; part < state.sway.size(); ++part)
     scene.hair_sway_rad[part] = state.sway[part].angle_rad;
+  SwingChains(state.chains, scene.head, dt_s);
+  for (std::size_t side = 0; side < state.chains.size(); ++side)
+    scene.weights.hanging[side] = {state.chains[side].upper.angle_rad, state.chains[side].lower.angle_rad};
   HangBackdrops(state.backdrops, show, scene);
   scene.light.exposure = ValueNow(state.exposure) * At(state.shown, Knob::kLight) *
                          ValueNow(state.cue_light) * Unblacked(state) * LightAsleep(state.lobby, show);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <initializer_list>
 
-#include <glm/geometric.hpp>
-
 #include "appliance/core/performance/accents.h"
 #include "appliance/core/performance/blinking.h"
 #include "appliance/core/performance/ease.h"
@@ -34,11 +32,6 @@ constexpr float kBlinksWithShift = 1.0F / 3;
 // Under a hand a little sway goes on: no head that somebody holds is a stone.
 constexpr float kSwayUnderHand = 0.35F;
 constexpr float kPupil_hz = 0.3F, kPupilWaves = 0.03F, kPupilOfLight = 0.15F;
-// Hair as springs: their own frequencies by scene::HairPart, of which the short fringe has the highest and no two sides are alike;
-// their damping as part of the critical one, how strongly the head's speed pulls them, and where they stop.
-constexpr std::array<float, scene::kHairPartCount> kSprings_hz{2.6F, 1.9F, 1.7F};
-constexpr float kDamping = 0.32F, kSwingGain = 0.55F, kMaxSwing_rad = 0.35F;
-constexpr float kStill_rad = 1e-4F;  // Swings that nobody sees end: a still show is a still picture.
 
 // A sine of -1..1; `phase` is in turns, so that waves that belong together do not run in step.
 float Wave(float age_s, float hz, float phase) {
@@ -148,27 +141,6 @@ LookInput InputOf(const State& state, const show::Show& show) {
   return input;
 }
 
-// A damped spring that is pulled against the head's speed: angle'' = (0.12 pull - angle) w^2 - 2 d w angle'.
-// The pull is the head's step over dt_s, so that a faster head swings the hair further whatever the frame
-// rate.
-void SwingPart(Sway& sway, float omega, const scene::Head& head, float dt_s) {
-  const glm::vec2 now(head.yaw_rad + head.roll_rad, head.pitch_rad);
-  const glm::vec2 pull = (sway.head_rad - now) * (kSwingGain / dt_s);  // Against the head's speed.
-  sway.head_rad = now;
-  constexpr int kSteps = 4;  // Semi-implicit Euler is stable well beyond a frame of 100 ms / 4.
-  for (int i = 0; i < kSteps; ++i) {
-    const float h = dt_s / kSteps;
-    const glm::vec2 force =
-        (pull * 0.12F - sway.angle_rad) * (omega * omega) - sway.speed_rad_s * (2 * kDamping * omega);
-    sway.speed_rad_s += force * h;
-    sway.angle_rad += sway.speed_rad_s * h;
-  }
-  if (pull == glm::vec2(0) && glm::length(sway.angle_rad) < kStill_rad &&
-      glm::length(sway.speed_rad_s) < kStill_rad * omega)
-    sway.angle_rad = sway.speed_rad_s = glm::vec2(0);
-  sway.angle_rad = glm::clamp(sway.angle_rad, glm::vec2(-kMaxSwing_rad), glm::vec2(kMaxSwing_rad));
-}
-
 }  // namespace
 
 void CallLife(Life& life, const show::LifeAmounts& amounts) {
@@ -217,12 +189,6 @@ Idle Live(State& state, const board::Snapshot& board, const show::Show& show, co
       Uniform(life.gaze.random) < kBlinksWithShift * std::min(1.0F, blinks))
     BlinkWithGaze(state, held, look.ago_s, dt_s);
   return idle;
-}
-
-void Swing(std::array<Sway, scene::kHairPartCount>& parts, const scene::Head& head, float dt_s) {
-  if (dt_s <= 0) return;
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    SwingPart(parts[part], kTau * kSprings_hz[part], head, dt_s);
 }
 
 }  // namespace kaori::performance

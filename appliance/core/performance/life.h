@@ -33,9 +33,4 @@ Idle Live(State& state, const board::Snapshot& board, const show::Show& show, co
 // A scene or a cue says how much life there is: a part below 0 stays as it was.
 void CallLife(Life& life, const show::LifeAmounts& amounts);
 
-// The hair's tips: for each part a damped spring of its own frequency that lags behind the head. `head` is as it is in this frame.
-// Steps of up to 0.1 s are stable; a step of 0 changes nothing. The angles stay within 0.35 rad each way, and a swing
-// that nobody sees any more becomes exactly 0.
-void Swing(std::array<Sway, scene::kHairPartCount>& parts, const scene::Head& head, float dt_s);
-
 }  // namespace kaori::performance

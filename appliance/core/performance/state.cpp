@@ -107,15 +107,19 @@ bool IsValidLevels(const State& s, const show::Show& show) {
          std::ranges::all_of(s.role_devices, [](std::uint8_t device) { return device <= kNoRole; });
 }
 
+bool IsValidSway(const Sway& sway) {
+  return Within(sway.angle_rad, kFarTurn_rad) && Within(sway.head_rad, kFarTurn_rad) &&
+         Within(sway.speed_rad_s, kFastTurn_rad_s);
+}
+
 // The bounds are many turns wide, since motions add to the sticks. They are to stop what would overflow the
 // trigonometry, not to judge a pose.
 bool IsValidPose(const State& s) {
   return Within({s.head.yaw_rad, s.head.pitch_rad, s.head.roll_rad, s.gaze.yaw_rad, s.gaze.pitch_rad},
                 -kFarTurn_rad, kFarTurn_rad) &&
          Within(s.head.shift_m, kFarShift_m) && Within({s.brow}, -1, 1) &&
-         std::ranges::all_of(s.sway, [](const Sway& sway) {
-           return Within(sway.angle_rad, kFarTurn_rad) && Within(sway.head_rad, kFarTurn_rad) &&
-                  Within(sway.speed_rad_s, kFastTurn_rad_s);
+         std::ranges::all_of(s.sway, IsValidSway) && std::ranges::all_of(s.chains, [](const Chain& chain) {
+           return IsValidSway(chain.upper) && IsValidSway(chain.lower);
          });
 }
 

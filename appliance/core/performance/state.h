@@ -78,6 +78,11 @@ struct Sway {
   glm::vec2 head_rad{};  // The head at the last frame.
 };
 
+// What hangs at one side of the head; the lower joint's head_rad is not used.
+struct Chain {
+  Sway upper, lower;
+};
+
 inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop,
 // and that of the last GO, which is compared with GOs from before a long pause of the stage.
 inline constexpr float kLongSinceGo_s = 3600;
@@ -86,7 +91,7 @@ inline constexpr float kLongSinceGo_s = 3600;
 // StickNow::lost_s and go_quiet_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 20;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 21;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -125,6 +130,7 @@ struct State {
   // What the face does by itself, and how its hair swings.
   Life life;
   std::array<Sway, scene::kHairPartCount> sway;  // By scene::HairPart.
+  std::array<Chain, 2> chains;                   // At the character's left, right.
   // Head, gaze and brows as the sticks have them, eased; idle motion and registered motions come on top and
   // are no state.
   scene::Head head;

@@ -98,6 +98,7 @@ face::Face ReadFace(Copier& from, const pack::Face& stored) {
   face.expression_gain = stored.expression_gain();
   face.outgrowth_kind = stored.outgrowth_kind();
   face.withdrawn = from.Structs<glm::vec3>(stored.withdrawn());
+  face.hang_arms_m = from.Structs<glm::vec2>(stored.hang_arms_m());
   face.sparse = from.Structs<face::Triangle>(stored.sparse());
   return face;
 }

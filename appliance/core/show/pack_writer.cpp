@@ -92,6 +92,7 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   const auto props = to.CreateVector(face.props);
   const auto withdrawn = Structs<pack::Vec3>(to, face.withdrawn);
   const auto sparse = Structs<pack::Triangle>(to, face.sparse);
+  const auto hang_arms = Structs<pack::Vec2>(to, face.hang_arms_m);
   const pack::EyeLook eye_look(Vec(face.eye_look.iris), face.eye_look.iris_radius_m,
                                face.eye_look.lash_length_m, face.eye_look.lash_wing_m);
   const face::EyeSurface& ball = face.eye_surface;
@@ -102,7 +103,8 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   const pack::Vec3 flat = Vec(face.surface.flat);
   return pack::CreateFace(to, name, positions, occlusion, eyes, &eye_look, &mouth, face.surface.softness,
                           face.surface.metal, face.surface.texture, &flat, props, face.expression_gain,
-                          face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn, sparse);
+                          face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn, sparse,
+                          hang_arms);
 }
 
 Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& expression) {

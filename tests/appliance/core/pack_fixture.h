@@ -33,6 +33,7 @@ inline show::Show SmallShow() {
   show.cast.faces[2].eye_surface.glow = 0.5F;
   show.cast.faces[2].outgrowth_kind = 1;
   show.cast.faces[2].withdrawn = {{0, 0.01F, 0}};
+  show.cast.faces[2].hang_arms_m = {{0.02F, 0.03F}};
   show.cast.topology.outgrowth = {7};
   show.motions = {{"nod", 0x1E, {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
   show.motions[0].sound = {2, {1, -1, 32767, -32768}};

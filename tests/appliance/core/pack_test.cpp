@@ -49,6 +49,7 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->cast.faces[2].eye_surface.glow, 0.5F);
   EXPECT_EQ(loaded->cast.faces[2].outgrowth_kind, 1);
   EXPECT_EQ(loaded->cast.faces[2].withdrawn, show.cast.faces[2].withdrawn);
+  EXPECT_EQ(loaded->cast.faces[2].hang_arms_m, show.cast.faces[2].hang_arms_m);
   EXPECT_EQ(loaded->cast.topology.outgrowth, show.cast.topology.outgrowth);
   EXPECT_EQ(loaded->channels.brow_frown, 4);
   const show::CueList& list = loaded->cue_list;

@@ -148,6 +148,20 @@ TEST_F(PerformanceTest, HairSwingsAfterAMotionAndThenHangsStill) {
   for (const glm::vec2& part : performed_.scene.hair_sway_rad) EXPECT_EQ(part, glm::vec2(0));
 }
 
+TEST_F(PerformanceTest, WhatHangsSwingsAfterAMotionWithItsTipBehindAndThenHangsStill) {
+  Strike(kKey1);
+  Run(300ms);
+  for (const face::Hanging& side : performed_.scene.weights.hanging) {
+    EXPECT_GT(std::abs(side.upper_rad.y), 0.001F);
+    EXPECT_NE(side.upper_rad, side.lower_rad);
+  }
+  Run(6s);
+  for (const face::Hanging& side : performed_.scene.weights.hanging) {
+    EXPECT_EQ(side.upper_rad, glm::vec2(0));
+    EXPECT_EQ(side.lower_rad, glm::vec2(0));
+  }
+}
+
 TEST_F(PerformanceTest, APauseOfTheProgramMakesNoLeap) {
   Push(3);
   Step();

@@ -118,6 +118,7 @@ const Spoiled kSpoiled[] = {
     {"ASceneThatDoesNotExist", [](State& s) { s.scene = 2; }},
     {"AnAgeThatIsNone", [](State& s) { s.age_s = -1; }},
     {"HairThatIsNowhere", [](State& s) { s.sway[1].speed_rad_s.x = kNan; }},
+    {"AnEarThatIsNowhere", [](State& s) { s.chains[1].lower.angle_rad.y = kNan; }},
     {"AMouthThatIsMoreThanTheVoices", [](State& s) { s.mouth_voice = 2; }},
     {"LipsThatWereLostNever", [](State& s) { s.lips_lost_s = kNan; }},
     {"ALookAtNowhere", [](State& s) { s.life.gaze.to_m.z = kNan; }},

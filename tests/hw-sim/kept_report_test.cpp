@@ -1,0 +1,58 @@
+// A run of the bench that was cut goes on where it was, and never takes over what was found of something else.
+#include "hw-sim/hil/kept_report.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace kaori::hil {
+namespace {
+
+class KeptReport : public ::testing::Test {
+ protected:
+  KeptReport() : folder_(::testing::TempDir() + "kept-report-" + std::to_string(::getpid())) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~KeptReport() override { std::filesystem::remove_all(folder_); }
+  std::string folder_;
+};
+
+// One has passed, one failed, one was skipped.
+Report TwoOfThree() {
+  Report report;
+  report.checks.push_back({"face",
+                           "The face is on the screen",
+                           {.said = "92 % lit",
+                            .pictures = {{"face-0.png", "The first face"}},
+                            .figures = {{"lit", 0.92}},
+                            .took_s = 1.5}});
+  report.checks.push_back({"replugs", "Roles stay", {.verdict = Verdict::kFailed, .said = "a swap"}});
+  report.checks.push_back({"sound", "Sound", {.verdict = Verdict::kSkipped, .said = "no card"}});
+  return report;
+}
+
+TEST_F(KeptReport, GivesWhatHasPassedInThisVeryTrialAlone) {
+  ASSERT_TRUE(KeepReport(TwoOfThree(), "image ab12", folder_));
+  const auto passes = KeptPasses("image ab12", folder_);
+  ASSERT_EQ(passes.size(), 1U) << "what failed or was skipped is tried again";
+  EXPECT_EQ(passes[0].name, "face");
+  EXPECT_EQ(passes[0].finding.said, "92 % lit");
+  EXPECT_EQ(passes[0].finding.figures.at("lit"), 0.92);
+  EXPECT_EQ(passes[0].finding.pictures.at(0).file, "face-0.png");
+  EXPECT_TRUE(KeptPasses("image cd34", folder_).empty());
+}
+
+TEST_F(KeptReport, IsNothingWhereItIsNoReport) {
+  EXPECT_TRUE(KeptPasses("", folder_).empty());
+  for (const char* text :
+       {"", "seven", "[]", R"({"trial": ""})", R"({"trial": "", "checks": [{"passed": true}]})"}) {
+    std::ofstream(folder_ + "/report.json") << text;
+    EXPECT_TRUE(KeptPasses("", folder_).empty()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace kaori::hil
