@@ -1,5 +1,6 @@
 #include "hw-sim/hil/kept_report.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -41,9 +42,13 @@ ReportedCheck FromJson(const nlohmann::json& kept) {
 }  // namespace
 
 // Written anew after each check: a run that is cut in the middle of a write leaves the file of the check before.
-Result<void> KeepReport(const Report& report, const std::string& trial, const std::string& folder) {
+Result<void> KeepReport(const Report& report, const std::vector<ReportedCheck>& before,
+                        const std::string& trial, const std::string& folder) {
   auto checks = nlohmann::json::array();
   for (const ReportedCheck& check : report.checks) checks.push_back(ToJson(check));
+  for (const ReportedCheck& check : before)
+    if (std::ranges::find(report.checks, check.name, &ReportedCheck::name) == report.checks.end())
+      checks.push_back(ToJson(check));
   const nlohmann::json kept{{"trial", trial}, {"checks", std::move(checks)}};
   // What a tool said may be no UTF-8.
   const std::string text = kept.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

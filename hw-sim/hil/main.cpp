@@ -124,10 +124,10 @@ kaori::Result<std::string> MakeFolder() {
   return pattern;
 }
 
-// One line for each check, as it ends: a run takes long.
-void Tell(const kaori::hil::ReportedCheck& check) {
+// One line for each check, as it ends: a run takes long. `before`: in a run before this one.
+void Tell(const kaori::hil::ReportedCheck& check, bool before) {
   const auto& [verdict, said, pictures, figures, texts, took_s] = check.finding;
-  fmt::print("{}  {:6.1f} s  {}: {}\n", Mark(verdict), took_s, check.name, said);
+  fmt::print("{}  {:6.1f} s  {}: {}{}\n", Mark(verdict), took_s, check.name, before ? "before: " : "", said);
   std::fflush(stdout);
 }
 
@@ -195,11 +195,11 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
   for (const auto& check : WantedChecks(settings)) {
     const auto passed = std::ranges::find(kept, check.name, &kaori::hil::ReportedCheck::name);
     report.checks.push_back(passed != kept.end() ? *passed : runner.Run(check));
-    Tell(report.checks.back());
+    Tell(report.checks.back(), passed != kept.end());
     report.boot_s = runner.boot_s();
     // After each check: a run that is cut short leaves what was done.
     auto ok = kaori::hil::WriteReport(report, settings.report);
-    if (ok) ok = kaori::hil::KeepReport(report, trial, settings.report);
+    if (ok) ok = kaori::hil::KeepReport(report, kept, trial, settings.report);
     if (ok && !settings.figures.empty()) ok = kaori::hil::MergeFigures(report, settings.figures);
     if (!ok) return Exit(ok.error());
   }

@@ -21,7 +21,7 @@ class KeptReport : public ::testing::Test {
 };
 
 // One has passed, one failed, one was skipped.
-Report TwoOfThree() {
+Report OneOfThree() {
   Report report;
   report.checks.push_back({"face",
                            "The face is on the screen",
@@ -35,7 +35,7 @@ Report TwoOfThree() {
 }
 
 TEST_F(KeptReport, GivesWhatHasPassedInThisVeryTrialAlone) {
-  ASSERT_TRUE(KeepReport(TwoOfThree(), "image ab12", folder_));
+  ASSERT_TRUE(KeepReport(OneOfThree(), {}, "image ab12", folder_));
   const auto passes = KeptPasses("image ab12", folder_);
   ASSERT_EQ(passes.size(), 1U) << "what failed or was skipped is tried again";
   EXPECT_EQ(passes[0].name, "face");
@@ -43,6 +43,17 @@ TEST_F(KeptReport, GivesWhatHasPassedInThisVeryTrialAlone) {
   EXPECT_EQ(passes[0].finding.figures.at("lit"), 0.92);
   EXPECT_EQ(passes[0].finding.pictures.at(0).file, "face-0.png");
   EXPECT_TRUE(KeptPasses("image cd34", folder_).empty());
+}
+
+TEST_F(KeptReport, KeepsWhatARunThatGoesOnHasNotComeTo) {
+  ASSERT_TRUE(KeepReport(OneOfThree(), {}, "image ab12", folder_));
+  Report later;
+  later.checks.push_back({"replugs", "Roles stay", {.said = "no swap"}});
+  ASSERT_TRUE(KeepReport(later, KeptPasses("image ab12", folder_), "image ab12", folder_));
+  const auto passes = KeptPasses("image ab12", folder_);
+  ASSERT_EQ(passes.size(), 2U);
+  EXPECT_EQ(passes[0].name, "replugs");
+  EXPECT_EQ(passes[1].name, "face");
 }
 
 TEST_F(KeptReport, IsNothingWhereItIsNoReport) {
