@@ -39,7 +39,8 @@ new_show() {
 # The show for a box, with pictures for decks with keys: add_keys PACK COPY
 add_keys() {
   say "drawing what decks show on their keys"
-  $BIN/kaori-atelier keys "$1" "$2" >"$LOGS/keys.log" 2>&1 || fail "the pictures of keys could not be drawn; see $LOGS/keys.log"
+  $BIN/kaori-atelier keys "$1" "$2" >"$LOGS/keys.log" 2>&1 ||
+    { tail -n 3 "$LOGS/keys.log" >&2; fail "the pictures of keys could not be drawn; the reason stands above"; }
 }
 
 pack_show() {

@@ -167,6 +167,11 @@ for spoilt in nothing evening.kaori company.pub; do
 done
 rm "$copy/bin/cp"
 
+# What is no show is refused with its reason, and not with a log's name.
+printf '#!/bin/sh\necho "evening.kaori is no show pack"; exit 1\n' >"$copy/out/build/release/bin/kaori-atelier"
+said=$(PATH="$copy/bin:$PATH" timeout 20 "$copy/box" show push "$copy/evening.kaori" "$copy/stick" --key "$copy/company.key" 2>&1)
+[[ $said = *"is no show pack"* ]] || { echo "a push of what is no show said: $said"; failures=$((failures + 1)); }
+
 # A demo says who reaches its page. The programs that it starts only write the address and wait.
 # shellcheck disable=SC2016  # For the program itself.
 printf '#!/bin/sh\nwhile [ $# -gt 0 ]; do [ "$1" != --address-file ] || echo http://127.0.0.1:1/ >"$2"; shift; done\nexec sleep 60\n' |
