@@ -118,16 +118,14 @@ Result<void> FaultsAreSeen(Scene& scene) {
 }  // namespace
 
 std::vector<Check> DamagedDiskChecks() {
-  return {{"damaged-sticks",
-           "Damaged file systems of sticks do not stop the kernel",
-           false,
-           DamagedSticks,
-           // The bench's kernel has the same drivers of file systems, and a disk in memory.
-           {.plugged = false, .sound = false, .bench_kernel = true, .width_px = 320, .height_px = 180},
-           {},
-           FaultsAreSeen,
-           false,
-           true}};
+  return {
+      {.name = "damaged-sticks",
+       .sentence = "Damaged file systems of sticks do not stop the kernel",
+       .run = DamagedSticks,
+       // The bench's kernel has the same drivers of file systems, and a disk in memory.
+       .setup = {.plugged = false, .sound = false, .bench_kernel = true, .width_px = 320, .height_px = 180},
+       .control = FaultsAreSeen,
+       .ends_programs = true}};
 }
 
 }  // namespace kaori::hil

@@ -138,10 +138,7 @@ char UpdatedPc::Default() const {
 Result<void> UpdatedPc::NameDefault(char slot) const {
   const auto at = LetterAt();
   if (!at) return tl::unexpected(at.error());
-  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
-  file.seekp(static_cast<std::streamoff>(*at));
-  file.put(slot);
-  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+  return WritePart(Disk(), *at, {&slot, 1});
 }
 
 std::string UpdatedPc::Kept(const std::string& name) const {
@@ -169,12 +166,10 @@ Result<void> UpdatedPc::Remove(const std::string& name) const {
 
 // The lowest one of a byte.
 Result<void> UpdatedPc::FlipBit(std::uint64_t at_bytes) const {
-  std::fstream file(Disk(), std::ios::binary | std::ios::in | std::ios::out);
-  file.seekg(static_cast<std::streamoff>(at_bytes));
-  const int byte = file.get();
-  file.seekp(static_cast<std::streamoff>(at_bytes));
-  file.put(static_cast<char>(byte ^ 1));
-  return file.flush() ? Result<void>{} : Fail(std::errc::io_error, "write " + Disk());
+  auto byte = ReadPart(Disk(), {.at_bytes = at_bytes, .bytes = 1});
+  if (!byte) return tl::unexpected(byte.error());
+  byte->front() = static_cast<char>(byte->front() ^ 1);
+  return WritePart(Disk(), at_bytes, *byte);
 }
 
 Result<void> UpdatedPc::SpoilSlotB() const {

@@ -10,10 +10,12 @@ readonly PLAIN_SHOW=out/plain.kaori
 readonly STICKS=out/sticks
 readonly CHIP=out/chip
 
+go_on=()  # --go-on: what has passed before is not tried again.
+
 # Runs checks of kaori-bench on the image, with simulated devices plugged in: run_checks OPTION...
 run_checks() {
   tests/hil/bench_disk $BIN/kaori-hil-agent out/bench.disk $PLAIN_SHOW
-  $BIN/kaori-bench --image out/image --bench-disk out/bench.disk --report out/bench --figures out/boot.json --play "$PLAY" --sticks $STICKS "$@" ||
+  $BIN/kaori-bench --image out/image --bench-disk out/bench.disk --report out/bench --figures out/boot.json --play "$PLAY" --sticks $STICKS "${go_on[@]}" "$@" ||
     { say "the report is out/bench/report.html"; return 1; }
 }
 
@@ -109,7 +111,6 @@ try_company() {
 
 failed_checks=()
 effort=1  # How many times as often the power is cut.
-go_on=()    # --go-on: what has passed before is not tried again.
 release=()  # --release: the checks of a release alone, too.
 
 # Runs a command, says whether it passed, and goes on after a failure: run_check SENTENCE COMMAND...
@@ -128,7 +129,7 @@ run_check() {
 # one has its control in it. Figures of a run before would stand for checks that this one never came to.
 run_all_checks() {
   rm -f out/boot.json
-  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort "${release[@]}" "${go_on[@]}" --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
+  run_check "the checks of kaori-bench pass" run_checks --replugs 200 --effort $effort "${release[@]}" --bench-kernel $BENCH_KERNEL --chip $CHIP --controls
   run_check "two builds of the image are the same" tests/hil/reproducible.py out/image $BIN
   run_check "a box can be trusted (out/trust.json)" tests/hil/trust_report.py out/boot.json $BIN/test-desk out/trust.json
   run_check "updates can be trusted (out/update.json)" tests/hil/update_report.py out/boot.json $BIN/test-update out/image.json $STICKS/box.kaoriupdate out/update.json "${release[@]}"
