@@ -14,11 +14,12 @@ show() {
     pack) pack_show "$@" ;;
     play) play_show "$@" ;;
     take) take_of_show "$@" ;;
+    check | info | sheet | import | export) run_atelier "$verb" "$@" ;;
     key) make_key "$@" ;;
     sign) sign_show "$@" ;;
     push) push_show "$@" ;;
     backup | diff | restore) copy_of_box "$verb" "$@" ;;
-    '') fail "show wants new, play, take, key, pack, sign, push, backup, diff or restore; see ./box help" ;;
+    '') fail "show wants new, play, take, key, pack, sign, push, check, info, sheet, import, export, backup, diff or restore; see ./box help" ;;
     *) fail "show knows no $verb; see ./box help" ;;
   esac
 }
@@ -68,13 +69,17 @@ pack_show() {
     fail "the show could not be signed; the reason stands above"
 }
 
-# Names of files are the caller's, who may stand elsewhere.
 take_of_show() {
-  [[ $# -ge 1 ]] || fail "show take wants record, trim, stretch, gain, ease, loop, put, layer, punch or list; see kaori-atelier take --help"
+  [[ $# -ge 1 ]] || fail "show take wants record, trim, stretch, gain, ease, loop, put, layer, punch or list; see ./box show take --help"
+  run_atelier take "$@"
+}
+
+# What kaori-atelier does by itself. Names of files are the caller's, who may stand elsewhere.
+run_atelier() {
   need "${BUILD_PACKAGES[@]}"
   build release kaori-atelier
   local tool=$PWD/$BIN/kaori-atelier
-  cd "$CALLED_FROM" && exec "$tool" take "$@"
+  cd "$CALLED_FROM" && exec "$tool" "$@"
 }
 
 # The company's key, which signs its shows: made once. The public half goes to the boxes.

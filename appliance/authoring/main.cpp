@@ -3,6 +3,7 @@
 #include <csignal>
 #include <span>
 
+#include "appliance/authoring/import/verb_export.h"
 #include "appliance/authoring/import/verb_import.h"
 #include "appliance/authoring/pack/verbs.h"
 #include "drivers/base/program.h"
@@ -15,6 +16,6 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   const std::array verbs{PackVerb(),     CheckVerb(),  InfoVerb(),   DiffVerb(),   SheetVerb(),
                          CueSheetVerb(), LabelsVerb(), KeysVerb(),   KeygenVerb(), SignVerb(),
-                         ImportVerb(),   ReportVerb(), VerbOfTakes()};
+                         ImportVerb(),   ExportVerb(), ReportVerb(), VerbOfTakes()};
   return Dispatch(verbs, std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1));
 }

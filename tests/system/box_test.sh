@@ -50,6 +50,7 @@ expect "there is no key /nowhere" show push /tmp /tmp --key /nowhere
 expect "there is no key /nowhere" image --trust /nowhere
 expect "show play takes a FOLDER" show play
 expect "show take wants record" show take
+expect "check, info, sheet, import, export" show
 expect "there is no show /nowhere" show play /nowhere
 expect "there is no show /nowhere" demo --pack /nowhere
 expect "there is no show /nowhere" image --pack /nowhere

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "appliance/authoring/appearance/shaping.h"
 #include "appliance/authoring/appearance/skull.h"
+#include "appliance/authoring/sculpt/cage.h"
 
 namespace kaori::appearance {
 namespace {
@@ -61,12 +63,23 @@ struct Slice {
   float half_width_cm = 0;
 };
 
-// Of the vertices within 9 mm of the height: the grid's rows are about so far apart at the neck.
-Slice SliceAt(const face::Face& face, float y_cm) {
+// The vertices of the cage that can be a neck's: the grid's lowest rows, up to the one under the chin. A chin that
+// hangs lower is none of the neck.
+std::vector<face::Index> NeckOfCage() {
+  constexpr int kUnderChin = 5;
+  const sculpt::Cage cage = sculpt::BuildCage();
+  std::vector<face::Index> neck;
+  for (face::Index v = 0; v < cage.vertices.size(); ++v)
+    if (cage.key(v).region == sculpt::Region::kGrid && cage.key(v).b <= kUnderChin) neck.push_back(v);
+  return neck;
+}
+
+// Of the neck's vertices within 9 mm of the height: the grid's rows are about so far apart there.
+Slice SliceAt(const face::Face& face, const std::vector<face::Index>& neck, float y_cm) {
   constexpr float kHalfThickness_cm = 0.9F;
   Slice slice;
-  for (const glm::vec3& p_m : face.positions) {
-    const glm::vec3 p = p_m * 100.0F;
+  for (const face::Index v : neck) {
+    const glm::vec3 p = face.positions[v] * 100.0F;
     if (std::abs(p.y - y_cm) > kHalfThickness_cm) continue;
     slice.front_cm = std::max(slice.front_cm, p.z);
     slice.back_cm = std::min(slice.back_cm, p.z);
@@ -89,8 +102,9 @@ glm::vec3 Neck::At(float around_deg, float y_cm, float off_cm) const {
 // Middle and half widths of two slices; the neck's front and back need not be alike, its sides are.
 Neck MeasureNeck(const face::Face& face) {
   Neck neck;
-  const Slice top = SliceAt(face, neck.top_cm.y);
-  const Slice bottom = SliceAt(face, neck.bottom_cm.y + 0.3F);
+  static const std::vector<face::Index> vertices = NeckOfCage();
+  const Slice top = SliceAt(face, vertices, neck.top_cm.y);
+  const Slice bottom = SliceAt(face, vertices, neck.bottom_cm.y + 0.3F);
   // A face that ends above has no slice.
   if (top.half_width_cm <= 0 || bottom.half_width_cm <= 0) return neck;
   neck.top_cm.z = (top.front_cm + top.back_cm) / 2;

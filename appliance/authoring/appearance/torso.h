@@ -20,7 +20,7 @@ struct Neck {
   // go on the cone.
   glm::vec3 At(float around_deg, float y_cm, float off_cm) const;
 };
-// By two slices of the face's lowest part; what a face without a neck there gets is the usual one.
+// By two slices of the lowest rows of the cast's mesh, whose vertices the face has; what a face without a neck there gets is the usual one.
 Neck MeasureNeck(const face::Face& face);
 
 // A body as a smooth union of capsules and ellipsoids, by a few measures; only its surface is asked for.

@@ -36,12 +36,19 @@ face::FineMesh Cage(const std::vector<Triangle>& triangles, const std::vector<In
 
 // A triangle that is joined with the next one takes that one along.
 std::vector<mesh::Polygon> PolygonsOf(const std::vector<Triangle>& triangles) {
+  return PolygonsOf(triangles, [](Index, Index) { return false; });
+}
+
+std::vector<mesh::Polygon> PolygonsOf(const std::vector<Triangle>& triangles,
+                                      const std::function<bool(Index, Index)>& is_wire) {
   std::vector<mesh::Polygon> polygons;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     mesh::Polygon polygon(t.begin(), t.end());
     // Only the triangle that follows is tried: that is how exporters split a quad.
     if (i + 1 < triangles.size()) polygon = Join(t, triangles[i + 1]);
+    // The edge that they share runs from the first corner to the third.
+    if (polygon.size() == 4 && is_wire(polygon[0], polygon[2])) polygon.assign(t.begin(), t.end());
     if (polygon.size() == 4) ++i;
     polygons.push_back(std::move(polygon));
   }

@@ -1,21 +1,28 @@
 // One step of Catmull-Clark subdivision of an imported head, as a fixed matrix from its cage.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "appliance/authoring/import/model.h"
 #include "appliance/authoring/mesh/subdivide.h"
 #include "render/face/topology.h"
 
 namespace kaori::import {
+
+using face::Index;
+using face::Triangle;
 
 // Triangles put together as the artist had them: tools write a quad as two triangles in a row that share an
 // edge, run along it in opposite ways and have no other corner in common. The others stay triangles. A quad's
 // corners keep the winding of the triangles. Triangles that happen to stand so are joined too, which changes
 // the wires and the smoothing there, and nothing else.
 std::vector<mesh::Polygon> PolygonsOf(const std::vector<Triangle>& triangles);
+
+// The same where it is known which edges are no diagonals: is_wire(a, b) of two vertices. Such an edge joins nothing.
+std::vector<mesh::Polygon> PolygonsOf(const std::vector<Triangle>& triangles,
+                                      const std::function<bool(Index, Index)>& is_wire);
 
 // More triangles than this are fine enough as they are: one step of subdivision would make four
 // times as many.

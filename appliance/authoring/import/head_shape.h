@@ -9,7 +9,6 @@
 #include <glm/vec3.hpp>
 
 #include "appliance/authoring/import/mesh_graph.h"
-#include "appliance/authoring/import/model.h"
 #include "render/face/cast.h"
 
 namespace kaori::import {

@@ -9,15 +9,16 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "appliance/authoring/import/doubts.h"
 #include "appliance/authoring/import/form.h"
-#include "appliance/authoring/import/mesh_check.h"
+#include "appliance/authoring/model/mesh_check.h"
 
 namespace kaori::import {
 namespace {
 
 constexpr Index kNoSkin = std::numeric_limits<Index>::max();
 // What is left of a tongue's height, and how far its tip is drawn back.
-constexpr float kTongueFlat = 0.5F, kTongueBack_m = 0.005F;
+constexpr float kTongueFlat = 0.35F, kTongueBack_m = 0.009F;
 
 bool IsEye(PartOf part) {
   return part == PartOf::kLeftEye || part == PartOf::kRightEye;
@@ -68,8 +69,10 @@ Head MakeHead(const Model& model, const Heads& heads, float eyes_z_m) {
   Head head;
   head.name = std::filesystem::path(model.file).stem().string();
   const std::array eyes{PartOf::kLeftEye, PartOf::kRightEye};
-  for (std::size_t side = 0; side < 2; ++side)
+  for (std::size_t side = 0; side < 2; ++side) {
     head.eyes[side] = FitBall(model, heads.parts, eyes[side]).value_or(face::EyeBall{});
+    head.is_one_eye[side] = IsOneBall(model, heads.parts, eyes[side], head.eyes[side]);
+  }
   const glm::vec3 middle = MiddleOfEyes(model, heads, head);
   head.shift = glm::vec3(0, 0, eyes_z_m) - middle;
   for (const Index v : heads.skin) head.positions.push_back(model.positions[v] + head.shift);
@@ -104,9 +107,9 @@ void AddShapes(const Model& model, Heads& heads) {
     heads.shapes.push_back(
         {target.name, OnSkin(heads, target.offsets), MeaningOf(target.name, NameOrigin::kTarget)});
   const std::size_t targets = heads.shapes.size();
-  for (const Preset& preset : model.presets) {
+  for (const model::Preset& preset : model.presets) {
     Offsets sum;
-    for (const PresetPart& part : preset.parts)
+    for (const model::PresetPart& part : preset.parts)
       for (std::size_t i = 0; i < targets; ++i)
         if (heads.shapes[i].name == part.target) Accumulate(heads.shapes[i].offsets, part.weight, sum);
     if (!sum.empty())
@@ -170,7 +173,7 @@ Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& fin
   std::vector<Triangle> skin;
   for (const Triangle& t : first.triangles)
     if (!IsEye(heads.parts[t[0]])) skin.push_back(t);
-  CheckUnfolding(first, skin, findings);
+  model::CheckUnfolding(first, skin, findings);
   for (const Model& model : models) {
     Head head = MakeHead(model, heads, eyes_z_m);
     head.name = FreeName(heads, head.name);
@@ -184,6 +187,7 @@ Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& fin
   HeadShape completed = ShapeOfHeads(heads);
   heads.found_by_form = CompleteByForm(heads.part, completed);
   KeepByForm(std::move(completed), heads);
+  CheckPose(heads, first.file, findings);
   return heads;
 }
 

@@ -5,13 +5,15 @@
 #include <array>
 #include <vector>
 
-#include "appliance/authoring/import/findings.h"
 #include "appliance/authoring/import/head_shape.h"
-#include "appliance/authoring/import/model.h"
 #include "appliance/authoring/import/parts.h"
 #include "appliance/authoring/import/roles.h"
+#include "appliance/authoring/model/findings.h"
+#include "appliance/authoring/model/model.h"
 
 namespace kaori::import {
+
+using model::Findings;
 
 // One file's head: positions of skin vertices in metres, moved so that the middle between the eyes lies on x
 // = 0, y = 0, and at the depth that SplitHeads was given.
@@ -22,6 +24,8 @@ struct Head {
   std::vector<glm::vec3> positions;
   // Fitted to the eyeballs' vertices; radius 0 where the file has none.
   std::array<face::EyeBall, 2> eyes{};
+  // False where what was taken for an eyeball is several balls.
+  std::array<bool, 2> is_one_eye{true, true};
   glm::vec3 shift{};  // What was added to the file's positions.
 };
 
@@ -61,7 +65,7 @@ struct Heads {
 
 // `eyes_z_m`: the depth to which the middle between the eyes is moved; a show's own eyes stand there, so its
 // cameras and collars fit. `models` must not be empty, and must have passed CheckModel and CheckSameTopology.
-// Faults of the parameter space of the first go to `findings`; the heads are then not to be used.
+// Faults of the parameter space of the first, and of how it stands (CheckPose), go to `findings`; the heads are then not to be used.
 Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& findings);
 
 // The weighted sum of shapes that a role is, by skin vertex; empty where the heads have no such role.

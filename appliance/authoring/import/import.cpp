@@ -9,11 +9,15 @@
 #include <glm/geometric.hpp>
 
 #include "appliance/authoring/import/bridge.h"
+#include "appliance/authoring/import/doubts.h"
 #include "appliance/authoring/import/heads.h"
 #include "appliance/authoring/import/imported_cast.h"
+#include "appliance/authoring/import/kept_script.h"
 #include "appliance/authoring/import/look.h"
-#include "appliance/authoring/import/lost_faces.h"
+#include "appliance/authoring/import/mouth_place.h"
 #include "appliance/authoring/import/role_words.h"
+#include "appliance/authoring/import/shapes_on_show.h"
+#include "appliance/authoring/model/read_model.h"
 #include "appliance/core/show/check.h"
 
 namespace kaori::import {
@@ -23,7 +27,6 @@ using face::ExpressionKind;
 
 // How far the eyes lie before the head's middle where no show says: the cast's own woman has 5.25 cm.
 constexpr float kEyesZ_m = 0.05F;
-constexpr std::array<std::string_view, 2> kBlinks{"blink_left", "blink_right"};
 
 // One import; Run is called once. Expressions are collected first (`wanted_`) and fitted last, since order of
 // vertices and control points follow from what all of them move.
@@ -45,7 +48,10 @@ class Importing {
     WantByForm();
     WantOtherRoles();
     WantShapes();
-    AddCarriedToShow();
+    if (to_show_) {
+      made_.on_show = *show_;
+      made_.report.on_show = GiveShapes(heads_, *to_show_, made_.on_show->cast);
+    }
     Build(options);
     return std::move(made_);
   }
@@ -175,38 +181,12 @@ class Importing {
     }
   }
 
-  void AddCarriedToShow() {
-    if (!to_show_) return;
-    made_.on_show = *show_;
-    face::Cast& cast = made_.on_show->cast;
-    const ShapeFit fit(cast.net, cast.faces.front().positions);
-    for (const Shape& shape : heads_.shapes) {
-      FitError error;
-      const bool taken =
-          std::ranges::find(cast.expressions, shape.name, &face::Expression::name) != cast.expressions.end();
-      const std::string name = taken ? shape.name + " (shape)" : shape.name;
-      face::Expression expression =
-          fit.Fit(name, ExpressionKind::kChannel, to_show_->Carry(shape.offsets), error);
-      for (std::size_t side = 0; side < 2; ++side) GiveToLids(shape, side, expression);
-      cast.expressions.push_back(std::move(expression));
-      made_.report.on_show.push_back({shape.name, MeaningIn(shape), error});
-    }
-  }
-
-  // The show's lids ride on its eyeballs: a blink shuts them, instead of pulling at control points.
-  void GiveToLids(const Shape& shape, std::size_t side, face::Expression& expression) const {
-    const Role* blink = FindRole(heads_, kBlinks[side]);
-    if (blink == nullptr || show_->cast.topology.lids[side].columns == 0) return;
-    if (heads_.shapes[blink->parts.front().shape].name != shape.name) return;
-    expression.displacement.assign(expression.displacement.size(), glm::vec3(0));
-    expression.residual.clear();
-    expression.lids[side] = 1;
-  }
-
   // Looks come last: they need the cast's faces. Spots were found in the order before.
   void Build(const ImportOptions& options) {
     const std::vector<Index> before = heads_.skin;
     const Index moving = OrderByMotion(heads_, wanted_);
+    made_.report.doubts = DoubtsAbout(heads_, ShapeOfHeads(heads_), landmarks_, moving);
+    GiveMouthItsPlace();
     if (show_ != nullptr) made_.heads = *show_;
     face::Cast& cast = made_.heads.cast;
     cast = MakeCast(heads_, wanted_, moving, options.points);
@@ -219,6 +199,20 @@ class Importing {
     Remark(GiveSkin(models_.front(), heads_, lender, cast));
     Remark(DressLike(heads_, lender, cast));
     GiveScript();
+  }
+
+  // Teeth that lie over the skin in the texture would be painted onto it.
+  void GiveMouthItsPlace() {
+    constexpr float kBeside = 0.02F;  // Less than this is a common edge.
+    const float over = MouthOverSkin(heads_);
+    if (over < kBeside) return;
+    if (models_.front().picture.empty()) {
+      PutMouthBesideSkin(heads_);
+      return Remark("teeth and tongue lay over the skin in the texture, and were moved beside it");
+    }
+    made_.report.doubts.push_back(fmt::format(
+        "teeth and tongue wear the skin's picture: {:.0f} % of them lie over the skin in the texture",
+        100 * over));
   }
 
   // Spots are by skin vertex in the order `before`; a file's own numbers of vertices lead to the new one.
@@ -254,7 +248,10 @@ class Importing {
       for (std::uint16_t i = 0; i < heads_.heads.size() && i < 8; ++i)
         show.buttons[i] = {show::CallKind::kFace, i};
     }
-    DropLostFaces(show);
+    const int lost_calls = DropLostFaces(show);
+    if (show_ == nullptr) return;
+    CarryPictures(*show_, show);
+    for (std::string& remark : WhatBecameOf(show, lost_calls)) Remark(std::move(remark));
   }
 
   const std::vector<Model>& models_;
@@ -276,7 +273,7 @@ class Importing {
 Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show,
                         const ImportOptions& options) {
   Findings findings;
-  const std::vector<Model> models = ReadModels(files, findings);
+  const std::vector<Model> models = model::ReadModels(files, findings);
   if (!findings.empty()) return findings.Refuse();
   if (models.empty()) return FailInput("no file to import was named");
   std::vector<std::size_t> like =

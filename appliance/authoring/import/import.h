@@ -7,23 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "appliance/authoring/import/findings.h"
-#include "appliance/authoring/import/model.h"
 #include "appliance/authoring/import/point_choice.h"
 #include "appliance/authoring/import/report.h"
 #include "appliance/core/show/show.h"
 #include "drivers/base/result.h"
 
 namespace kaori::import {
-
-// Reads and checks one file by its ending: .glb, .gltf, .obj, in capitals or not. At most kMostFile_bytes are
-// read, regular files only. Every fault goes to `findings`: a file that cannot be read, another ending, what
-// the readers and CheckModel find. None where there was one.
-std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& findings);
-
-// The same of several files that must have one topology, that of the first; those that could be read. Where
-// `findings` has grown, the models are not to be imported.
-std::vector<Model> ReadModels(const std::vector<std::filesystem::path>& files, Findings& findings);
 
 // What an author may choose; `points` says how many control points the cast gets at most.
 struct ImportOptions {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "appliance/authoring/import/heads.h"
-#include "appliance/authoring/import/model.h"
 #include "appliance/authoring/import/worn.h"
+#include "appliance/authoring/model/model.h"
 #include "render/face/cast.h"
 
 namespace kaori::import {

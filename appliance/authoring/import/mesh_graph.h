@@ -13,9 +13,12 @@
 
 #include <glm/vec3.hpp>
 
-#include "appliance/authoring/import/model.h"
+#include "render/face/topology.h"
 
 namespace kaori::import {
+
+using face::Index;
+using face::Triangle;
 
 // For each vertex the first one at the very same position (equal floats; no tolerance, since copies of a
 // vertex are written equal). O(n log n).

@@ -20,6 +20,8 @@ constexpr float kSmallestEye_m = 0.006F;
 constexpr float kLargestEye_m = 0.035F;
 // Of the radius, root mean square: eyes have corneas, and some only a front half.
 constexpr float kRoughBall = 0.08F;
+// The same of all that one eye is made of, which may be several meshes; two balls are far above.
+constexpr float kSeveralBalls = 0.2F;
 constexpr float kPartsMiddle_m = 0.01F;  // A mouth's piece lies this near to the plane of symmetry.
 // Of the jaw's largest motion; upper teeth hang on the skull and do not move at all, but for tools
 // that blur weights.
@@ -71,23 +73,34 @@ std::optional<face::EyeBall> Ball(const Model& model, const std::vector<Index>& 
   return face::EyeBall{glm::vec3(centre + origin), static_cast<float>(std::sqrt(square)), 0};
 }
 
+// How far vertices lie off a ball, of its radius, root mean square.
+double Roughness(const Model& model, const std::vector<Index>& vertices, const face::EyeBall& ball) {
+  double sum = 0;
+  for (const Index v : vertices) {
+    const double off = glm::distance(model.positions[v], ball.centre) - ball.radius_m;
+    sum += off * off;
+  }
+  return std::sqrt(sum / static_cast<double>(vertices.size())) / ball.radius_m;
+}
+
+std::vector<Index> VerticesOf(const std::vector<PartOf>& parts, PartOf part) {
+  std::vector<Index> vertices;
+  for (Index v = 0; v < parts.size(); ++v)
+    if (parts[v] == part) vertices.push_back(v);
+  return vertices;
+}
+
 // A ball of an eye's size that is round, and of which at least half the height is there.
 bool IsBall(const Model& model, const Piece& piece) {
   const auto ball = Ball(model, piece.vertices);
   if (!ball || ball->radius_m < kSmallestEye_m || ball->radius_m > kLargestEye_m) return false;
-  double sum = 0;
-  for (const Index v : piece.vertices) {
-    const double off = glm::distance(model.positions[v], ball->centre) - ball->radius_m;
-    sum += off * off;
-  }
-  const double rough = std::sqrt(sum / static_cast<double>(piece.vertices.size()));
   const float height = piece.most.y - piece.least.y;
-  return rough < kRoughBall * ball->radius_m && height > ball->radius_m;
+  return Roughness(model, piece.vertices, *ball) < kRoughBall && height > ball->radius_m;
 }
 
 // In small letters; empty where no mesh holds the vertex.
 std::string MeshName(const Model& model, Index vertex) {
-  for (const MeshRange& mesh : model.meshes) {
+  for (const model::MeshRange& mesh : model.meshes) {
     if (vertex < mesh.first || vertex >= mesh.first + mesh.count) continue;
     std::string name = mesh.name;
     std::ranges::transform(name, name.begin(),
@@ -232,10 +245,13 @@ std::vector<PartOf> FindParts(const Model& model, const MeshGraph& graph) {
 
 // All vertices of the part together: cornea, iris and white may be meshes of their own.
 std::optional<face::EyeBall> FitBall(const Model& model, const std::vector<PartOf>& parts, PartOf part) {
-  std::vector<Index> vertices;
-  for (Index v = 0; v < parts.size(); ++v)
-    if (parts[v] == part) vertices.push_back(v);
-  return Ball(model, vertices);
+  return Ball(model, VerticesOf(parts, part));
+}
+
+bool IsOneBall(const Model& model, const std::vector<PartOf>& parts, PartOf part, const face::EyeBall& ball) {
+  const std::vector<Index> vertices = VerticesOf(parts, part);
+  if (vertices.empty() || !(ball.radius_m > 0)) return true;
+  return ball.radius_m <= kLargestEye_m && Roughness(model, vertices, ball) < kSeveralBalls;
 }
 
 }  // namespace kaori::import

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "appliance/authoring/import/mesh_graph.h"
-#include "appliance/authoring/import/model.h"
+#include "appliance/authoring/model/model.h"
 #include "render/face/cast.h"
 
 namespace kaori::import {
+
+using model::Model;
 
 // The numbers are used within one import only; no file holds them.
 enum class PartOf : std::uint8_t { kSkin, kLeftEye, kRightEye, kUpperTeeth, kLowerTeeth, kTongue };
@@ -28,5 +30,9 @@ std::vector<PartOf> FindParts(const Model& model, const MeshGraph& graph);
 // there are fewer than eight vertices, or they lie in a plane. A cornea that stands out pulls the ball
 // forward a little.
 std::optional<face::EyeBall> FitBall(const Model& model, const std::vector<PartOf>& parts, PartOf part);
+
+// Whether `ball`, which is FitBall's, is of an eye's size and its part's vertices lie on it: a cornea, an iris and a
+// white in one eye do, two eyes do not. True where there is none.
+bool IsOneBall(const Model& model, const std::vector<PartOf>& parts, PartOf part, const face::EyeBall& ball);
 
 }  // namespace kaori::import

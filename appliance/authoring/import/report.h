@@ -29,6 +29,8 @@ struct ReportedRole {
 struct Report {
   // What was found, counted and done, a sentence each.
   std::vector<std::string> remarks;
+  // What an audience would see as wrong, a sentence each; empty where nothing is known to be.
+  std::vector<std::string> doubts;
   std::vector<ReportedShape> shapes;
   std::vector<ReportedRole> roles;
   // The artist's shapes on the show's own reference face; empty without a show.
@@ -39,12 +41,12 @@ struct Report {
 std::vector<std::string> UnmappedShapes(const Report& report);
 std::vector<std::string> UnmappedRoles(const Report& report);
 
-// For people: remarks, then tables of shapes with what they mean and how well control points say them
+// For people: remarks, doubts, then tables of shapes with what they mean and how well control points say them
 // (columns in mm: root mean square, largest, how far the shape moves), of roles with what they are made of,
 // and what was not mapped.
 std::string Text(const Report& report);
 
-// The same for programs: an object with remarks (strings), shapes, roles and shapes_on_show (objects with
+// The same for programs: an object with remarks and doubts (strings), shapes, roles and shapes_on_show (objects with
 // name, means or made_of, rms_mm, max_mm, moves_mm; null where a name means nothing), shapes_not_mapped and
 // roles_not_mapped (strings). Indented, with a newline at the end.
 std::string JsonText(const Report& report);

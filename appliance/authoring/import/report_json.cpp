@@ -33,6 +33,7 @@ std::string JsonText(const Report& report) {
   for (const ReportedRole& role : report.roles)
     roles.emplace_back(ReportJsonRow(role.name, "made_of", role.made_of, role.error));
   const json::Object page{{"remarks", json::ListOf(report.remarks)},
+                          {"doubts", json::ListOf(report.doubts)},
                           {"shapes", Shapes(report.shapes)},
                           {"roles", std::move(roles)},
                           {"shapes_on_show", Shapes(report.on_show)},

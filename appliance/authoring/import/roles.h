@@ -6,9 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "appliance/authoring/import/model.h"
+#include "appliance/authoring/model/model.h"
 
 namespace kaori::import {
+
+using model::Model;
+using model::Target;
 
 // Whose vocabulary a name is from: Apple's ARKit, VRM 1.0 and 0.x, the lip-sync visemes of Oculus (Meta), or
 // plain words that artists use.

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "appliance/authoring/import/lid_paint.h"
+#include "appliance/authoring/import/paint_places.h"
 
 namespace kaori::import {
 namespace {
@@ -25,6 +26,7 @@ constexpr float kFarthestApart = 0.08F;
 
 using Colour = PaintColour;
 constexpr Colour kSkin{222, 184, 163, 40};
+constexpr Colour kInsideOfMouth{112, 44, 46, 110};
 constexpr Colour kTeeth{232, 226, 212, 150};
 constexpr Colour kTongue{186, 92, 92, 120};
 
@@ -166,6 +168,20 @@ void PaintLids(const Heads& heads, const Colour& ground, Painting& painting) {
   }
 }
 
+// Softly from the lips on, since a lip turns inwards.
+void PaintInsideOfMouth(const Heads& heads, Painting& painting) {
+  const std::vector<bool> inside = InsideOfMouth(ShapeOfHeads(heads));
+  if (inside.empty()) return;
+  for (const Triangle& t : heads.triangles) {
+    const glm::vec3 share(inside[t[0]], inside[t[1]], inside[t[2]]);
+    if (heads.part[t[0]] != PartOf::kSkin || share == glm::vec3(0)) continue;
+    painting.Repaint(Corners(t, [&](Index v) { return heads.uv[v]; }),
+                     [&](const Colour& under, const glm::vec3& s) {
+                       return MixPaint(under, kInsideOfMouth, std::clamp(glm::dot(s, share), 0.0F, 1.0F));
+                     });
+  }
+}
+
 // Last, over what the skin's margins have painted beyond their triangles.
 void FillMouth(const Heads& heads, Painting& painting) {
   for (const Triangle& t : heads.triangles) {
@@ -198,6 +214,7 @@ face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, cons
     shown.push_back(ShownAt(spot.Of(show.faces.front().positions)));
     if (shown.back() > 0.02F && shown.back() < 0.4F) at_edge.push_back(At(source, place.back()));
   }
+  SettlePlaces(heads, spots, show, place);
   const Colour ground = GroundOf(at_edge);
   Painting painting(ground);
   for (const Triangle& t : heads.triangles) {
@@ -208,6 +225,7 @@ face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, cons
                   {shown[t[0]], shown[t[1]], shown[t[2]]}, source);
   }
   PaintLids(heads, ground, painting);
+  PaintInsideOfMouth(heads, painting);
   FillMouth(heads, painting);
   return painting.Release();
 }

@@ -63,8 +63,7 @@ class Inspector {
       pose.weights.faces.Push(face, 1);
       const auto& shape = composer_.Compose(pose.weights, face::Detail::kFine);
       if (i == 0) LookForSkin(shape);
-      // At rest all of the skin is looked at; later what cannot move has been seen.
-      SeekFolds(shape, i == 0 ? skin_ : moving_skin_, face, pose.name);
+      SeekFolds(shape, i == 0, face, pose.name);
       if (scope_ == Scope::kFoldsAlone) continue;
       if (pose.shut) {
         // Shut lids alone are what the audience sees most, and are looked at from nine sides.
@@ -93,11 +92,14 @@ class Inspector {
     found_.findings.push_back(std::move(finding));
   }
 
-  void SeekFolds(const face::Shape& shape, const std::vector<bool>& skin, std::uint16_t face,
-                 const std::string& pose) {
-    const Folds folds = FindFolds(shape.fine, mesh(), skin);
+  void SeekFolds(const face::Shape& shape, bool at_rest, std::uint16_t face, const std::string& pose) {
+    // At rest all of the skin is looked at; later what cannot move has been seen.
+    const Folds folds = FindFolds(shape.fine, mesh(), at_rest ? skin_ : moving_skin_);
     const auto count = static_cast<int>(folds.triangles.size());
     if (count == 0) return;
+    // What is folded at rest is so in every pose, and is told once.
+    if (at_rest)
+      for (const std::size_t triangle : folds.triangles) moving_skin_[triangle] = false;
     found_.folds += count;
     Add(face, pose,
         {.flaw = Flaw::kFold, .count = count, .measure = static_cast<float>(count), .at = folds.at});

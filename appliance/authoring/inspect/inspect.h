@@ -37,7 +37,7 @@ struct Finding {
 
 // Sums, and all findings in the order of faces and poses.
 struct Inspection {
-  // Triangles, over all faces and poses; a triangle counts in each pose anew.
+  // Triangles, over all faces and poses; a triangle counts in each pose anew, but one that is folded at rest once.
   int folds = 0;
   int lid_gaps = 0;            // Eyes.
   int teeth_through_lips = 0;  // Faces in poses.

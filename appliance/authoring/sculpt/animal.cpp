@@ -80,7 +80,8 @@ Result<HalfShape> PullToLandmarks(const Cage& cage, const HalfShape& reference, 
     // To the last bit: the halves share these vertices.
     if (middle) p.x = 0;
   }
-  FitLids(cage.half, BallOf(recipe, eye), shape);
+  const Ball ball = BallOf(recipe, eye);
+  FitLids(cage.half, ball, ball.lid_thickness + kSkinOverLid_cm, shape);
   SmoothGrid(cage, recipe.smoothing_steps, shape);
   // Last: the ear's rings start from the grid about them.
   DrawOutEar(cage.half, recipe.ear, shape);

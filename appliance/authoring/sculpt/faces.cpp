@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "appliance/authoring/sculpt/animal.h"
 #include "appliance/authoring/sculpt/carve.h"
 #include "appliance/authoring/sculpt/kettle.h"
@@ -46,16 +48,47 @@ class Shaper {
     return ShapedFace{std::move(kettle->shape), kettle->eye};
   }
 
+  Result<ShapedFace> operator()(const Modelled& recipe) const {
+    Result<ModelledHead> head = ReadModelledHead(cage_, reference_, recipe);
+    if (!head) return tl::unexpected(head.error());
+    ShapedFace face{{{}, reference_.place}, head->eyes[0]};
+    for (const Index vertex : cage_.left) face.shape.position.push_back(head->position[vertex]);
+    const Mouth own = MouthOf(*head);
+    const Mouth first = MouthOf({WholePositions(cage_, reference_.position), {}});
+    face.mouth_scale = own.width / first.width;
+    face.mouth_shift = own.middle - first.middle;
+    face.whole = std::move(*head);
+    return face;
+  }
+
  private:
+  // Between the corners of the shut mouth, and in the middle where the lips meet.
+  struct Mouth {
+    double width = 0;
+    glm::dvec3 middle{};
+  };
+  Mouth MouthOf(const ModelledHead& head) const {
+    const auto at = [&](const std::vector<Index>& side, int j) {
+      return head.position[side[cage_.half.At(Region::kMouth, j, kLipContactRing)]];
+    };
+    return {glm::distance(at(cage_.left, kMouthCorner), at(cage_.right, kMouthCorner)),
+            0.5 * (at(cage_.left, 0) + at(cage_.left, kMouthRim - 1))};
+  }
+
   const Cage& cage_;
   const CastRecipe& cast_;
   EyeRecipe eye_;
   HalfShape reference_;
 };
 
+face::EyeBall MakeEye(const Ball& ball) {
+  return {Metres(ball.centre), Metres(ball.radius), Metres(ball.lid_thickness)};
+}
+
 // [0] is the character's left, at +X.
-std::array<face::EyeBall, 2> MakeEyes(const Ball& left) {
-  const face::EyeBall ball{Metres(left.centre), Metres(left.radius), Metres(left.lid_thickness)};
+std::array<face::EyeBall, 2> MakeEyes(const ShapedFace& shaped) {
+  if (shaped.whole) return {MakeEye(shaped.whole->eyes[0]), MakeEye(shaped.whole->eyes[1])};
+  const face::EyeBall ball = MakeEye(shaped.eye);
   face::EyeBall mirrored = ball;
   mirrored.centre.x = -mirrored.centre.x;
   return {ball, mirrored};
@@ -79,10 +112,12 @@ Result<std::vector<ShapedFace>> ShapeFaces(const Cage& cage, const CastRecipe& c
 face::Face MakeFace(const Cage& cage, const FaceRecipe& recipe, const ShapedFace& shaped) {
   face::Face face;
   face.name = recipe.name;
-  for (const glm::dvec3& p : WholePositions(cage, shaped.shape.position)) face.positions.push_back(Metres(p));
-  face.eyes = MakeEyes(shaped.eye);
-  face.mouth = {.scale = static_cast<float>(recipe.teeth_scale),
-                .offset = Metres(recipe.teeth_offset),
+  for (const glm::dvec3& p :
+       shaped.whole ? shaped.whole->position : WholePositions(cage, shaped.shape.position))
+    face.positions.push_back(Metres(p));
+  face.eyes = MakeEyes(shaped);
+  face.mouth = {.scale = static_cast<float>(shaped.mouth_scale * recipe.teeth_scale),
+                .offset = Metres(shaped.mouth_shift + recipe.teeth_offset),
                 .upper_teeth = static_cast<float>(recipe.upper_teeth),
                 .lower_teeth = static_cast<float>(recipe.lower_teeth),
                 .tongue = static_cast<float>(recipe.tongue)};

@@ -7,8 +7,6 @@ namespace {
 
 // How far ring 7 lies under the ball's surface.
 constexpr double kSunk_cm = 0.45;
-// How far the skin before the lid's edge stands over it at least: a warp leaves some of it inside the ball.
-constexpr double kSkinOverLid_cm = 0.05;
 
 // Along the ray from the ball's centre.
 glm::dvec3 AtRadius(const Ball& ball, glm::dvec3 p, double radius) {
@@ -26,9 +24,9 @@ void FitRing(const HalfTopology& half, const Ball& ball, int k, double radius, H
 }  // namespace
 
 // Rings are fitted one by one; none depends on another.
-void FitLids(const HalfTopology& half, const Ball& ball, HalfShape& shape) {
+void FitLids(const HalfTopology& half, const Ball& ball, double skin_cm, HalfShape& shape) {
   const double edge = ball.radius + ball.lid_thickness;
-  for (int k = 1; k < kLidRing; ++k) FitRing(half, ball, k, edge + kSkinOverLid_cm, shape);
+  for (int k = 1; k < kLidRing; ++k) FitRing(half, ball, k, ball.radius + skin_cm, shape);
   FitRing(half, ball, kLidRing, edge, shape);
   FitRing(half, ball, kLidRing + 1, ball.radius, shape);
   FitRing(half, ball, kLidRing + 2, ball.radius - kSunk_cm, shape);

@@ -13,9 +13,13 @@ struct Ball {
   double lid_thickness = 0;
 };
 
+// How far the skin before the lid's edge stands over it at least, where the whole head was bent: that leaves some of it
+// inside the ball.
+inline constexpr double kSkinOverLid_cm = 0.05;
+
 // The lid's edge (ring 5) goes to its thickness above the ball, the rings behind it onto and into the ball;
-// the rings before it are pushed out where they would cut into it. All along the ray from the ball's centre;
+// the rings before it are pushed out where they stand less than `skin_cm` over it. All along the ray from the ball's centre;
 // nothing may lie there.
-void FitLids(const HalfTopology& half, const Ball& ball, HalfShape& shape);
+void FitLids(const HalfTopology& half, const Ball& ball, double skin_cm, HalfShape& shape);
 
 }  // namespace kaori::sculpt

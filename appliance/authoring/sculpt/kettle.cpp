@@ -186,7 +186,7 @@ Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const 
   TurnGrid(half, recipe, shape);
   if (!BendFaceOntoWall(half, reference, shape)) return FailInput("profile: it folds the face");
   kettle.eye = FitBall(half, reference, eye, recipe, shape);
-  FitLids(half, kettle.eye, shape);
+  FitLids(half, kettle.eye, kettle.eye.lid_thickness + kSkinOverLid_cm, shape);
   RaiseLips(half, recipe.lip_relief, shape);
   TuckCorners(half, shape);
   EnlargeMouth(half, recipe.mouth_scale, recipe.wall_radius, shape);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -149,14 +150,21 @@ struct Turned {
   Tube handle;
 };
 
+// The cast's own mesh, shaped in a modelling tool (modelled.h).
+struct Modelled {
+  // As an open file names it: beside the face's own file.
+  std::filesystem::path mesh;
+  double lid_thickness = 0.13;
+};
+
 // One face's file, read. `file` is its path, for faults that are found later.
 struct FaceRecipe {
   // From the list in cast.toml.
   std::string name;
   std::string file;
   // Which way of shaping it, and all that belongs to it.
-  std::variant<Carved, Warped, Turned> shape;
-  // As face::MouthFit, in centimetres.
+  std::variant<Carved, Warped, Turned, Modelled> shape;
+  // As face::MouthFit, in centimetres; of a modelled head in addition to where its own mouth lies.
   double teeth_scale = 1;
   glm::dvec3 teeth_offset{};
   double upper_teeth = 1;

@@ -220,6 +220,21 @@ Turned ReadTurned(toml::Section& file) {
   return turned;
 }
 
+// A head from a modelling tool. Its file lies beside the face's; a way that leads elsewhere would not come along
+// with the show.
+Modelled ReadModelled(toml::Section& file, const std::filesystem::path& folder) {
+  file.AllowOnly({"shape", "mesh", "mouth_fit", "expression_gain", "eye"});
+  const std::filesystem::path mesh = file.Text("mesh");
+  if (mesh != mesh.filename()) file.Fault("mesh", "must be the name of a file beside this one");
+  Modelled modelled{.mesh = folder / mesh};
+  if (file.Has("eye")) {
+    toml::Section eye = file.Part("eye");
+    eye.AllowOnly({"thickness"});
+    modelled.lid_thickness = eye.NumberOr("thickness", modelled.lid_thickness);
+  }
+  return modelled;
+}
+
 }  // namespace
 
 // [aim] of cast.toml. Rows and columns must rise, since a spline runs through them in both directions.
@@ -257,9 +272,11 @@ void ReadShape(toml::Section& file, FaceRecipe& face) {
     face.shape = ReadWarped(file);
   } else if (shape == "turned") {
     face.shape = ReadTurned(file);
+  } else if (shape == "modelled") {
+    face.shape = ReadModelled(file, std::filesystem::path(face.file).parent_path());
   } else {
-    file.Fault("shape", "must be \"carved\", \"warped\" or \"turned\"" +
-                            toml::DidYouMean(shape, {"carved", "warped", "turned"}));
+    file.Fault("shape", "must be \"carved\", \"warped\", \"turned\" or \"modelled\"" +
+                            toml::DidYouMean(shape, {"carved", "warped", "turned", "modelled"}));
   }
 }
 

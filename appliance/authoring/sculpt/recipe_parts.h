@@ -9,7 +9,7 @@ namespace kaori::sculpt {
 // [aim] of cast.toml: columns, and [[aim.rows]] of a row's number and its points. Faults go to the section.
 AimTable ReadAim(toml::Section aim);
 
-// What a face's file says under "shape" ("carved", "warped" or "turned"), and all that belongs to that shape.
+// What a face's file says under "shape" ("carved", "warped", "turned" or "modelled"), and all that belongs to that shape.
 // What `face` holds already stays where a carved face does not say otherwise: it was copied from the face
 // that this one is like.
 void ReadShape(toml::Section& file, FaceRecipe& face);

@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 
-#include "appliance/authoring/import/accessor.h"
+#include "appliance/authoring/model/accessor.h"
 #include "tests/appliance/authoring/import_glb.h"
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 using ::testing::ElementsAre;
@@ -77,4 +77,4 @@ TEST(Accessor, ReadsCornersOfAllThreeWidths) {
 }
 
 }  // namespace
-}  // namespace kaori::import
+}  // namespace kaori::model

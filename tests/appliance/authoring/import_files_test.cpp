@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "appliance/authoring/import/gltf_file.h"
-#include "appliance/authoring/import/mesh_check.h"
-#include "appliance/authoring/import/obj_file.h"
+#include "appliance/authoring/model/gltf_file.h"
+#include "appliance/authoring/model/mesh_check.h"
+#include "appliance/authoring/model/obj_file.h"
 #include "tests/appliance/authoring/import_glb.h"
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 using ::testing::ElementsAre;
@@ -282,4 +282,4 @@ TEST(MeshCheck, FindsAnotherTopology) {
 }
 
 }  // namespace
-}  // namespace kaori::import
+}  // namespace kaori::model

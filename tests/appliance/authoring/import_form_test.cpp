@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "appliance/authoring/import/heads.h"
+#include "appliance/authoring/model/read_model.h"
 #include "tests/appliance/authoring/import_head.h"
 
 namespace kaori::import {
@@ -110,7 +111,7 @@ TEST(RealHeads, HaveTheSameLandmarksByFormAsByMotion) {
   const char* folder = std::getenv("KAORI_FACES");
   if (folder == nullptr) GTEST_SKIP() << "KAORI_FACES names no folder with woman.glb";
   Findings findings;
-  const auto model = ReadModel(std::filesystem::path(folder) / "woman.glb", findings);
+  const auto model = model::ReadModel(std::filesystem::path(folder) / "woman.glb", findings);
   ASSERT_TRUE(model);
   for (const auto& [name, apart_mm] : Apart_mm(*model)) {
     RecordProperty(name, std::to_string(apart_mm));

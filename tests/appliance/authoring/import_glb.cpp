@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace kaori::import {
+namespace kaori::model {
 
 int GlbMaker::AddView(const std::vector<std::uint8_t>& bytes, int stride_bytes) {
   while (buffer_.size() % 4 != 0) buffer_.push_back(0);
@@ -129,4 +129,4 @@ std::string ObjText(const Model& model) {
   return text;
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "appliance/authoring/import/accessor.h"
-#include "appliance/authoring/import/model.h"
+#include "appliance/authoring/model/accessor.h"
+#include "appliance/authoring/model/model.h"
 
-namespace kaori::import {
+namespace kaori::model {
 
 // Collects buffer views, accessors and the rest of a document as JSON text.
 class GlbMaker {
@@ -54,4 +54,4 @@ Model Plate(int cells, bool slit);
 
 std::string ObjText(const Model& model);
 
-}  // namespace kaori::import
+}  // namespace kaori::model

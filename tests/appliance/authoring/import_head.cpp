@@ -15,6 +15,9 @@
 namespace kaori::import {
 namespace {
 
+using model::GlbMaker;
+using model::Target;
+
 constexpr glm::vec3 kStands{0, 1.5F, 0.1F};
 
 void AddBall(const face::EyeBall& eye, Model& model) {

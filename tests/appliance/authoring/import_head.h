@@ -5,9 +5,12 @@
 #include <filesystem>
 
 #include "appliance/authoring/import/import.h"
+#include "appliance/authoring/model/model.h"
 #include "appliance/core/show/show.h"
 
 namespace kaori::import {
+
+using model::Model;
 
 // A folder for the files of one test; gone with it.
 class TemporaryFolder {

@@ -1,7 +1,14 @@
-// Paint about the eyes of an imported head lies by its own lids.
+// Paint of an imported head lies by its own lids and lips.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/import/depth_view.h"
 #include "appliance/authoring/import/lid_paint.h"
+#include "appliance/authoring/import/paint_places.h"
+#include "appliance/authoring/sculpt/cage.h"
 #include "tests/appliance/authoring/import_head.h"
 
 namespace kaori::import {
@@ -62,6 +69,39 @@ TEST_F(LidPaintTest, PaintsNothingWhereThereAreNoEyes) {
   const LidPaint none(blind);
   EXPECT_EQ(none.Over(kUnder, Beside(0, 0.0002F), kColours), kUnder);
   EXPECT_FALSE(none.DistanceOf(Beside(0, 0.0002F)));
+}
+
+TEST(InsideOfMouth, IsWhatLiesBehindTheLips) {
+  const sculpt::Cage cage = sculpt::BuildCage();
+  const HeadShape head = ShapeOfCast(DefaultShow().cast);
+  const std::vector<bool> inside = InsideOfMouth(head);
+  const std::vector<bool> seen = SeenFromFront(head);
+  ASSERT_EQ(inside.size(), head.positions.size());
+  EXPECT_GT(std::ranges::count(inside, true), 60);
+  for (face::Index v = 0; v < inside.size(); ++v) {
+    if (!inside[v]) continue;
+    EXPECT_FALSE(seen[v]) << v;
+    EXPECT_EQ(cage.key(v).region, sculpt::Region::kMouth) << v;
+    EXPECT_GE(cage.key(v).b, sculpt::kLipContactRing) << v;
+  }
+}
+
+TEST(PaintPlaces, OfSkinThatIsSeenAreNoneOfTheInsideOfTheMouth) {
+  const face::Cast& cast = DefaultShow().cast;
+  const sculpt::Cage cage = sculpt::BuildCage();
+  Findings findings;
+  const Heads heads = SplitHeads({ExportedHead()}, 0.05F, findings);
+  // The same head: each vertex lies on itself, but one beside the mouth, which lies within it.
+  std::vector<Spot> spots;
+  for (const face::Index v : heads.skin) spots.push_back({{v, v, v}, {1, 0, 0}, 0});
+  const face::Index beside = cage.left[cage.half.At(sculpt::Region::kMouth, sculpt::kMouthCorner, 1)];
+  const face::Index within = cage.left[cage.half.At(sculpt::Region::kMouth, sculpt::kMouthCorner, 9)];
+  spots[beside].corners = {within, within, within};
+  std::vector<glm::vec2> place;
+  for (const Spot& spot : spots) place.push_back(spot.Of(cast.topology.texture));
+  SettlePlaces(heads, spots, cast, place);
+  const glm::vec2 own = cast.topology.texture[beside];
+  EXPECT_LT(glm::distance(place[beside], own), 0.3F * glm::distance(cast.topology.texture[within], own));
 }
 
 }  // namespace

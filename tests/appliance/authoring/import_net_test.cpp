@@ -14,6 +14,9 @@
 namespace kaori::import {
 namespace {
 
+using model::Model;
+using model::Plate;
+
 constexpr int kCells = 24;
 
 // A plate that moves everywhere, with twenty points.

@@ -1,15 +1,16 @@
+#include "appliance/authoring/model/read_model.h"
+
 #include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
 
-#include "appliance/authoring/import/gltf_file.h"
-#include "appliance/authoring/import/import.h"
-#include "appliance/authoring/import/mesh_check.h"
-#include "appliance/authoring/import/obj_file.h"
+#include "appliance/authoring/model/gltf_file.h"
+#include "appliance/authoring/model/mesh_check.h"
+#include "appliance/authoring/model/obj_file.h"
 #include "drivers/base/read_file.h"
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 // Errors as ReadFile's: not there, not a regular file, larger than kMostFile_bytes.
@@ -75,4 +76,4 @@ std::vector<Model> ReadModels(const std::vector<std::filesystem::path>& files, F
   return models;
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

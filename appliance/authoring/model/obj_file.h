@@ -6,12 +6,12 @@
 #include <span>
 #include <string>
 
-#include "appliance/authoring/import/findings.h"
-#include "appliance/authoring/import/model.h"
+#include "appliance/authoring/model/findings.h"
+#include "appliance/authoring/model/model.h"
 
-namespace kaori::import {
+namespace kaori::model {
 
-// One vertex for each pair of position and texture coordinate that a triangle uses, in the order of the
+// Objects and groups are the meshes, where each has vertices of its own. One vertex for each pair of position and texture coordinate that a triangle uses, in the order of the
 // positions and then of the coordinates, so that files of equal order give equal vertices; vertices that no
 // triangle uses fall out. Polygons are split into triangles by the library. Materials, normals, curves and
 // all other lines are left out, unread. OBJ says no unit: metres are taken, and CheckModel refuses what is
@@ -23,4 +23,4 @@ namespace kaori::import {
 std::optional<Model> ReadObj(const std::string& file, std::span<const std::uint8_t> bytes,
                              Findings& findings);
 
-}  // namespace kaori::import
+}  // namespace kaori::model

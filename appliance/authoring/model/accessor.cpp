@@ -1,13 +1,13 @@
-#include "appliance/authoring/import/accessor.h"
+#include "appliance/authoring/model/accessor.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include <fmt/format.h>
 
-#include "appliance/authoring/import/model.h"
+#include "appliance/authoring/model/model.h"
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 // The corners of kMostTriangles triangles: no accessor of a head that is accepted can need more rows.
@@ -156,4 +156,4 @@ Indices ReadIndices(const Rows& rows) {
   return indices;
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "appliance/authoring/import/findings.h"
-#include "appliance/authoring/import/model.h"
+#include "appliance/authoring/model/findings.h"
+#include "appliance/authoring/model/model.h"
 
-namespace kaori::import {
+namespace kaori::model {
 
 // Gives the bytes of a file that stands beside the one that is read; none where there is no such file, or it
 // must not be read. The name comes from within the file and is not to be trusted; ReadModel's answers only
@@ -31,4 +31,4 @@ using ReadBeside = std::function<std::optional<std::vector<std::uint8_t>>(const 
 std::optional<Model> ReadGltf(const std::string& file, std::span<const std::uint8_t> bytes,
                               const ReadBeside& beside, Findings& findings);
 
-}  // namespace kaori::import
+}  // namespace kaori::model

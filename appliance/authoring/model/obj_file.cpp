@@ -1,4 +1,4 @@
-#include "appliance/authoring/import/obj_file.h"
+#include "appliance/authoring/model/obj_file.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 using Corner = std::pair<int, int>;  // Of position and of texture coordinate.
@@ -95,7 +95,7 @@ class ObjFileBuilder {
     if (findings_.size() > before) return std::nullopt;
     NumberVertices();
     for (const tinyobj::shape_t& shape : loaded_.shapes) AddTriangles(shape);
-    model_.meshes.push_back({"obj", 0, static_cast<Index>(model_.positions.size())});
+    NameMeshes();
     return std::move(model_);
   }
 
@@ -132,21 +132,40 @@ class ObjFileBuilder {
     }
   }
 
+  // Objects are meshes where each has a stretch of vertices of its own, as tools write them; else all is one.
+  void NameMeshes() {
+    std::ranges::sort(objects_, {}, &MeshRange::first);
+    const auto overlaps = [](const MeshRange& a, const MeshRange& b) { return b.first < a.first + a.count; };
+    if (std::ranges::adjacent_find(objects_, overlaps) != objects_.end())
+      objects_ = {{"obj", 0, static_cast<Index>(model_.positions.size())}};
+    model_.meshes = std::move(objects_);
+  }
+
   // Every corner is known to exist here.
   void AddTriangles(const tinyobj::shape_t& shape) {
     const auto& indices = shape.mesh.indices;
+    const std::size_t before = model_.triangles.size();
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       Triangle triangle;
       for (std::size_t k = 0; k < 3; ++k)
         triangle[k] = corners_.at({indices[i + k].vertex_index, indices[i + k].texcoord_index});
       model_.triangles.push_back(triangle);
     }
+    if (model_.triangles.size() == before) return;
+    Index least = model_.triangles.back()[0], most = least;
+    for (std::size_t i = before; i < model_.triangles.size(); ++i)
+      for (const Index corner : model_.triangles[i]) {
+        least = std::min(least, corner);
+        most = std::max(most, corner);
+      }
+    objects_.push_back({shape.name.empty() ? "obj" : shape.name, least, most - least + 1});
   }
 
   const Loaded& loaded_;
   Findings& findings_;
   Model model_;
   std::map<Corner, Index> corners_;
+  std::vector<MeshRange> objects_;
 };
 
 }  // namespace
@@ -158,4 +177,4 @@ std::optional<Model> ReadObj(const std::string& file, std::span<const std::uint8
   return ObjFileBuilder(file, *loaded, findings).Build();
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -9,11 +9,11 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "appliance/authoring/import/accessor.h"
-#include "appliance/authoring/import/gltf_file.h"
-#include "appliance/authoring/import/tiny_gltf.h"
+#include "appliance/authoring/model/accessor.h"
+#include "appliance/authoring/model/gltf_file.h"
+#include "appliance/authoring/model/tiny_gltf.h"
 
-namespace kaori::import {
+namespace kaori::model {
 
 // Binary where the bytes begin with "glTF", else JSON. None where the file is no glTF or requires an
 // extension that is not understood; the reason goes to `findings`. Pictures stay encoded: the
@@ -45,4 +45,4 @@ std::vector<Preset> VrmPresets(const tinygltf::Model& model);
 // there is none. `count` names.
 std::vector<std::string> TargetNames(const tinygltf::Mesh& mesh, std::size_t count);
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -1,9 +1,9 @@
-#include "appliance/authoring/import/findings.h"
+#include "appliance/authoring/model/findings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace kaori::import {
+namespace kaori::model {
 
 void Findings::Add(std::string_view file, std::string_view item, std::string_view reason) {
   // Later faults are counted only.
@@ -21,4 +21,4 @@ tl::unexpected<Error> Findings::Refuse() const {
   return FailInput(std::move(text));
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -11,7 +11,7 @@
 
 #include "render/face/topology.h"
 
-namespace kaori::import {
+namespace kaori::model {
 
 using face::Index;
 using face::Triangle;
@@ -71,4 +71,4 @@ inline constexpr std::size_t kMostTargets = 1024;
 // Vertices times targets; 768 MB as floats.
 inline constexpr std::size_t kMostOffsets = 64'000'000;
 
-}  // namespace kaori::import
+}  // namespace kaori::model

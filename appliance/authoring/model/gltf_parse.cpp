@@ -1,4 +1,4 @@
-#include "appliance/authoring/import/gltf_parse.h"
+#include "appliance/authoring/model/gltf_parse.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 // Extensions that a file may require. Those of materials change nothing that is read; a head in VRM
@@ -242,4 +242,4 @@ std::vector<std::string> TargetNames(const tinygltf::Mesh& mesh, std::size_t cou
   return names;
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -2,9 +2,9 @@
 #include <string_view>
 #include <utility>
 
-#include "appliance/authoring/import/gltf_parse.h"
+#include "appliance/authoring/model/gltf_parse.h"
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 // VRM 0.x says weights as 0..100.
@@ -101,4 +101,4 @@ std::vector<Preset> VrmPresets(const tinygltf::Model& model) {
   return presets;
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

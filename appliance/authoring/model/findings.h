@@ -7,7 +7,7 @@
 
 #include "drivers/base/result.h"
 
-namespace kaori::import {
+namespace kaori::model {
 
 // Collects faults while reading goes on, so that an artist sees every one of them at once instead of one a
 // run. Passed by reference through the readers and checks; it owns its text.
@@ -35,4 +35,4 @@ class Findings {
   std::size_t dropped_ = 0;
 };
 
-}  // namespace kaori::import
+}  // namespace kaori::model

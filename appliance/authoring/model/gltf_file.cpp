@@ -1,4 +1,4 @@
-#include "appliance/authoring/import/gltf_file.h"
+#include "appliance/authoring/model/gltf_file.h"
 
 #include <algorithm>
 #include <map>
@@ -8,9 +8,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "appliance/authoring/import/gltf_parse.h"
+#include "appliance/authoring/model/gltf_parse.h"
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 // `numbers` holds whole rows of the vector's length.
@@ -228,4 +228,4 @@ std::optional<Model> ReadGltf(const std::string& file, std::span<const std::uint
   return Builder(file, *parsed, findings).Build();
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

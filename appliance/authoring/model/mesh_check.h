@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "appliance/authoring/import/findings.h"
-#include "appliance/authoring/import/model.h"
+#include "appliance/authoring/model/findings.h"
+#include "appliance/authoring/model/model.h"
 
-namespace kaori::import {
+namespace kaori::model {
 
 // Faults: no vertices; positions, texture coordinates or offsets that are not finite; a head smaller than 2
 // cm or larger than 3 m, which is the sign of a file in centimetres or inches.
@@ -21,4 +21,4 @@ void CheckSameTopology(const Model& reference, const Model& other, Findings& fin
 // Slivers up to 2 % of the mean triangle may be turned over, as they are found in corners of real eyes.
 void CheckUnfolding(const Model& model, std::span<const Triangle> triangles, Findings& findings);
 
-}  // namespace kaori::import
+}  // namespace kaori::model

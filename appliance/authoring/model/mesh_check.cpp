@@ -1,13 +1,17 @@
-#include "appliance/authoring/import/mesh_check.h"
+#include "appliance/authoring/model/mesh_check.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace kaori::import {
+namespace kaori::model {
 namespace {
 
 // A head whose file counts in centimetres comes out at some 25 m, one in inches at 10 m.
@@ -50,7 +54,9 @@ void CheckSize(const Model& model, Findings& findings) {
   const glm::vec3 size = most - least;
   const float largest = std::max({size.x, size.y, size.z});
   if (largest >= kSmallest_m && largest <= kLargest_m) return;
-  findings.Add(model.file, "", fmt::format("is {:.4g} m large; a head in metres is expected", largest));
+  const char* hint = largest > 10 * kLargest_m ? ": it is in centimetres or millimetres; scale it" : "";
+  findings.Add(model.file, "",
+               fmt::format("is {:.4g} m large; a head in metres is expected{}", largest, hint));
 }
 
 // Signed: positive where the triangle runs counter-clockwise in the chart, v up.
@@ -58,6 +64,24 @@ double PlaceArea(const Model& model, const Triangle& t) {
   const glm::dvec2 a = glm::dvec2(model.uv[t[1]]) - glm::dvec2(model.uv[t[0]]);
   const glm::dvec2 b = glm::dvec2(model.uv[t[2]]) - glm::dvec2(model.uv[t[0]]);
   return 0.5 * (a.x * b.y - a.y * b.x);
+}
+
+// Of which meshes triangles are, where the file has several: the three that have most, ", 7 of "Body"" each.
+std::string InMeshes(const Model& model, const std::vector<Triangle>& triangles) {
+  std::vector<std::pair<std::size_t, std::string>> counts;
+  for (const MeshRange& mesh : model.meshes) {
+    const auto is_here = [&](const Triangle& t) {
+      return t[0] >= mesh.first && t[0] < mesh.first + mesh.count;
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(triangles, is_here));
+    if (count > 0) counts.emplace_back(count, mesh.name);
+  }
+  if (model.meshes.size() < 2) return {};
+  std::ranges::stable_sort(counts, std::ranges::greater{}, &std::pair<std::size_t, std::string>::first);
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(counts.size(), 3); ++i)
+    text += fmt::format(", {} of \"{}\"", counts[i].first, counts[i].second);
+  return text;
 }
 
 }  // namespace
@@ -90,24 +114,25 @@ void CheckUnfolding(const Model& model, std::span<const Triangle> triangles, Fin
   for (const Triangle& t : triangles) all += std::abs(PlaceArea(model, t));
   // By the mean of the triangles' areas, since charts differ in how much of the square they use.
   const double sliver = kSliver * all / static_cast<double>(std::max<std::size_t>(triangles.size(), 1));
-  std::size_t flat = 0;
-  std::size_t turned = 0;
-  std::size_t no_area = 0;
+  std::vector<Triangle> flat, turned, no_area;
   for (const Triangle& t : triangles) {
     const double place = PlaceArea(model, t);
     // A triangle may be counted as flat in the chart and as flat in space.
-    if (std::abs(place) <= kFlatPlace) ++flat;
-    if (place < -sliver) ++turned;
+    if (std::abs(place) <= kFlatPlace) flat.push_back(t);
+    if (place < -sliver) turned.push_back(t);
     const glm::vec3 cross = glm::cross(model.positions[t[1]] - model.positions[t[0]],
                                        model.positions[t[2]] - model.positions[t[0]]);
-    if (!(glm::dot(cross, cross) > kFlat_m2 * kFlat_m2)) ++no_area;
+    if (!(glm::dot(cross, cross) > kFlat_m2 * kFlat_m2)) no_area.push_back(t);
   }
-  const auto say = [&](std::size_t count, const char* what) {
-    if (count > 0) findings.Add(model.file, what, fmt::format("{} of {} triangles", count, triangles.size()));
+  const auto say = [&](const std::vector<Triangle>& found, const char* what) {
+    if (!found.empty())
+      findings.Add(
+          model.file, what,
+          fmt::format("{} of {} triangles{}", found.size(), triangles.size(), InMeshes(model, found)));
   };
   say(flat, "without area in the texture");
   say(turned, "turned over in the texture");
   say(no_area, "without area in space");
 }
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -1,3 +1,3 @@
 // The library's own code, in a file of its own since it takes long to compile.
 #define TINYGLTF_IMPLEMENTATION
-#include "appliance/authoring/import/tiny_gltf.h"
+#include "appliance/authoring/model/tiny_gltf.h"

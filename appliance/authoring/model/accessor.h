@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace kaori::import {
+namespace kaori::model {
 
 // Borrowed: the buffer must outlive every Rows and Accessor that points into it.
 using Bytes = std::span<const std::uint8_t>;
@@ -75,4 +75,4 @@ struct Indices {
 // Accepts components of 8, 16 and 32 bits without a sign; a fault for floats and signed integers.
 Indices ReadIndices(const Rows& rows);
 
-}  // namespace kaori::import
+}  // namespace kaori::model

@@ -1,0 +1,82 @@
+#include "appliance/authoring/import/mouth_place.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <glm/common.hpp>
+
+namespace kaori::import {
+namespace {
+
+// Cells of the texture's side, by whose middles areas are measured.
+constexpr int kCells = 512;
+// The skin keeps this much of the height; of the strip above it teeth have the left half, the tongue the right one.
+constexpr float kSkinHigh = 0.96F;
+constexpr glm::vec2 kTeethLow{0.02F, 0.972F}, kTongueLow{0.54F, 0.972F};
+constexpr glm::vec2 kPatch{0.44F, 0.02F};
+
+// Calls visit(cell) for each cell whose middle lies within a triangle of either winding.
+template <class Visit>
+void ForCells(const std::array<glm::vec2, 3>& corners, Visit visit) {
+  const auto cross = [](const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; };
+  const glm::vec2 a = corners[0], ab = corners[1] - a, ac = corners[2] - a;
+  const float area = cross(ab, ac);
+  if (area == 0) return;
+  const float side = kCells;
+  const glm::ivec2 low =
+      glm::clamp(glm::ivec2(glm::min(a, glm::min(corners[1], corners[2])) * side), 0, kCells - 1);
+  const glm::ivec2 high =
+      glm::clamp(glm::ivec2(glm::max(a, glm::max(corners[1], corners[2])) * side), 0, kCells - 1);
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) {
+      const glm::vec2 p = (glm::vec2(x, y) + 0.5F) / side - a;
+      const float b = cross(p, ac) / area, c = cross(ab, p) / area;
+      if (b >= 0 && c >= 0 && b + c <= 1)
+        visit(static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x));
+    }
+}
+
+std::array<glm::vec2, 3> CornersOf(const Heads& heads, const Triangle& t) {
+  return {heads.uv[t[0]], heads.uv[t[1]], heads.uv[t[2]]};
+}
+
+}  // namespace
+
+float MouthOverSkin(const Heads& heads) {
+  std::vector<bool> is_skin(static_cast<std::size_t>(kCells) * kCells);
+  for (const Triangle& t : heads.triangles)
+    if (heads.part[t[0]] == PartOf::kSkin)
+      ForCells(CornersOf(heads, t), [&](std::size_t cell) { is_skin[cell] = true; });
+  std::size_t all = 0, over = 0;
+  for (const Triangle& t : heads.triangles) {
+    if (heads.part[t[0]] == PartOf::kSkin) continue;
+    ForCells(CornersOf(heads, t), [&](std::size_t cell) {
+      ++all;
+      if (is_skin[cell]) ++over;
+    });
+  }
+  return all == 0 ? 0.0F : static_cast<float>(over) / static_cast<float>(all);
+}
+
+// Both keep their form within their patch, since surfaces are lit along their coordinates.
+void PutMouthBesideSkin(Heads& heads) {
+  const auto is_tongue = [&](std::size_t v) { return heads.part[v] == PartOf::kTongue; };
+  std::array<glm::vec2, 2> least{glm::vec2(1e9F), glm::vec2(1e9F)}, most{glm::vec2(-1e9F), glm::vec2(-1e9F)};
+  for (std::size_t v = 0; v < heads.uv.size(); ++v) {
+    if (heads.part[v] == PartOf::kSkin) continue;
+    least[is_tongue(v)] = glm::min(least[is_tongue(v)], heads.uv[v]);
+    most[is_tongue(v)] = glm::max(most[is_tongue(v)], heads.uv[v]);
+  }
+  for (std::size_t v = 0; v < heads.uv.size(); ++v) {
+    glm::vec2& uv = heads.uv[v];
+    if (heads.part[v] == PartOf::kSkin) {
+      uv.y *= kSkinHigh;
+      continue;
+    }
+    const glm::vec2 size = glm::max(most[is_tongue(v)] - least[is_tongue(v)], glm::vec2(1e-6F));
+    uv = (is_tongue(v) ? kTongueLow : kTeethLow) + kPatch * (uv - least[is_tongue(v)]) / size;
+  }
+}
+
+}  // namespace kaori::import

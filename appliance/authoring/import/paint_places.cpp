@@ -1,0 +1,103 @@
+#include "appliance/authoring/import/paint_places.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "appliance/authoring/import/depth_view.h"
+
+namespace kaori::import {
+namespace {
+
+// Of the show's first face, what a spot needs: nothing of it moves.
+HeadShape FirstFaceOf(const face::Cast& show) {
+  return {show.faces.front().positions, show.topology.triangles, show.faces.front().eyes, {}, {}, {}};
+}
+
+// Whether more than half of a spot lies on what can be seen from the front.
+bool IsSeen(const Spot& spot, const std::vector<bool>& seen) {
+  float share = 0;
+  for (int i = 0; i < 3; ++i)
+    if (seen[spot.corners[static_cast<std::size_t>(i)]]) share += spot.shares[i];
+  return share > 0.5F;
+}
+
+// Half-way to the mean of the neighbours, a few times.
+void SmoothPlaces(const MeshGraph& graph, std::vector<glm::vec2>& place) {
+  constexpr int kSteps = 4;
+  constexpr float kShare = 0.5F;
+  std::vector<glm::vec3> values;
+  for (const glm::vec2& p : place) values.emplace_back(p, 0);
+  for (int step = 0; step < kSteps; ++step) graph.Smooth(kShare, values);
+  for (std::size_t v = 0; v < place.size(); ++v) place[v] = glm::vec2(values[v]);
+}
+
+}  // namespace
+
+// From the edge of what is wrong inwards, a ring of vertices a step.
+void SettlePlaces(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
+                  std::vector<glm::vec2>& place) {
+  constexpr int kMostRings = 12;
+  const HeadShape head = ShapeOfHeads(heads);
+  const std::vector<bool> seen_here = SeenFromFront(head);
+  const std::vector<bool> seen_there = SeenFromFront(FirstFaceOf(show));
+  const MeshGraph graph(head.positions, head.triangles);
+  std::vector<bool> wrong(spots.size());
+  for (Index v = 0; v < spots.size(); ++v)
+    wrong[v] =
+        heads.part[v] == PartOf::kSkin && graph.weld(v) == v && seen_here[v] && !IsSeen(spots[v], seen_there);
+  for (int ring = 0; ring < kMostRings; ++ring) {
+    std::vector<Index> mended;
+    for (Index v = 0; v < wrong.size(); ++v) {
+      if (!wrong[v]) continue;
+      glm::vec2 sum{};
+      float count = 0;
+      for (const Index other : graph.around(v)) {
+        if (wrong[other]) continue;
+        sum += place[other];
+        ++count;
+      }
+      if (count == 0) continue;
+      place[v] = sum / count;
+      mended.push_back(v);
+    }
+    for (const Index v : mended) wrong[v] = false;
+    if (mended.empty()) break;
+  }
+  for (Index v = 0; v < place.size(); ++v)
+    if (heads.part[v] == PartOf::kSkin) place[v] = place[graph.weld(v)];
+  SmoothPlaces(graph, place);
+}
+
+// Spread from behind the lips, through what is hidden.
+std::vector<bool> InsideOfMouth(const HeadShape& head) {
+  constexpr float kBehindLips_m = 0.010F, kFarthest_m = 0.09F;
+  const std::vector<Landmark> marks = FindLandmarks(head);
+  const auto upper = std::ranges::find(marks, "upper lip", &Landmark::name);
+  const auto lower = std::ranges::find(marks, "lower lip", &Landmark::name);
+  if (upper == marks.end() || lower == marks.end()) return {};
+  const std::vector<bool> seen = SeenFromFront(head);
+  const MeshGraph graph(head.positions, head.triangles);
+  const auto from_lips_m = [&](Index v) {
+    return std::min(glm::distance(head.positions[v], upper->at), glm::distance(head.positions[v], lower->at));
+  };
+  std::vector<bool> inside(head.positions.size());
+  std::vector<Index> to_visit;
+  const auto visit = [&](Index v, float within_m) {
+    if (inside[v] || seen[v] || from_lips_m(v) > within_m) return;
+    inside[v] = true;
+    to_visit.push_back(v);
+  };
+  for (Index v = 0; v < inside.size(); ++v)
+    if (!graph.around(v).empty()) visit(v, kBehindLips_m);
+  while (!to_visit.empty()) {
+    const Index v = to_visit.back();
+    to_visit.pop_back();
+    for (const Index other : graph.around(v)) visit(other, kFarthest_m);
+  }
+  for (Index v = 0; v < inside.size(); ++v) inside[v] = inside[graph.weld(v)];
+  return inside;
+}
+
+}  // namespace kaori::import
