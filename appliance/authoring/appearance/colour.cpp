@@ -17,6 +17,7 @@ float ToLinear(int byte) {
   return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
 }
 
+// From sRGB as it is stored to linear light, 0..1 (IEC 61966-2-1).
 std::array<float, 256> MakeLinearTable() {
   std::array<float, 256> table{};
   for (int byte = 0; byte < 256; ++byte) table[static_cast<std::size_t>(byte)] = ToLinear(byte);

@@ -24,6 +24,7 @@ glm::vec2 OnPath(const Knots& path, float t) {
   return {x, Table(path, x)};
 }
 
+// By a difference over a small step; the path is given by its knots.
 glm::vec2 PathDirection(const Knots& path, float t) {
   return glm::normalize(OnPath(path, std::min(1.0F, t + 0.02F)) - OnPath(path, std::max(0.0F, t - 0.02F)));
 }

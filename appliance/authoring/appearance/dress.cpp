@@ -82,6 +82,7 @@ void AddClothes(face::Cast& cast, const ClothesLook& look, face::Face& face) {
   for (face::Prop& prop : Sew(face, look)) face.props.push_back(AddProp(cast, std::move(prop)));
 }
 
+// Looks are written in centimetres.
 face::EyeLook EyesOf(const EyePaint& paint) {
   return {paint.iris, paint.iris_radius_cm * kMetresPerCm, paint.lash_length_cm * kMetresPerCm,
           paint.lash_wing_cm * kMetresPerCm};
@@ -109,6 +110,7 @@ void DressFace(const Studio& studio, const FaceLook& look, face::Cast& cast, fac
   ShadeFace(studio.attributes, studio.options.shade_directions, cast, face);
 }
 
+// A power of two from 64 to 4096: every driver filters such textures well.
 bool IsSize(int px) {
   return px >= 64 && px <= 4096 && (px & (px - 1)) == 0;
 }

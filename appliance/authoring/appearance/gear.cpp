@@ -13,6 +13,7 @@ namespace {
 
 using Points = std::vector<glm::vec3>;
 
+// To the character's other side.
 glm::vec3 Mirrored(glm::vec3 p) {
   return {-p.x, p.y, p.z};
 }
@@ -103,11 +104,13 @@ void AddBundle(ClothMesh& mesh, const Bundle& bundle, bool mirrored) {
 
 }  // namespace
 
+// The piece, and its mirror image where it has one.
 void AddGear(ClothMesh& mesh, const GearLook& look) {
   AddOne(mesh, look, false);
   if (look.mirrored) AddOne(mesh, look, true);
 }
 
+// Each bundle, and its mirror image where it has one.
 void AddBundles(ClothMesh& mesh, const std::vector<Bundle>& bundles) {
   for (const Bundle& bundle : bundles) {
     AddBundle(mesh, bundle, false);

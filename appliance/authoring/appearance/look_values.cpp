@@ -32,6 +32,7 @@ float NotNegative(Section& s, std::string_view key, float otherwise) {
   return value;
 }
 
+// "#rrggbb" as linear RGB; a fault, and black, where it is anything else.
 glm::vec3 Colour(Section& s, std::string_view key) {
   const auto colour = ColourFromHex(s.Text(key));
   if (!colour) s.Fault(key, "must be a colour such as \"#f2cbb3\"");

@@ -70,6 +70,7 @@ void AddSkinProbes(const face::Topology& topology, const face::Face& face, std::
   }
 }
 
+// Props are measured where they are, a little above themselves.
 void AddPropProbes(const face::Prop& prop, std::vector<Probe>& probes) {
   for (const face::PropVertex& v : prop.vertices) probes.push_back({v.position, v.normal, kPropLift_m});
 }

@@ -45,6 +45,7 @@ glm::vec3 Skull::Above(glm::vec3 direction, float offset_cm) const {
   return centre_cm + direction / glm::length(direction / (radii_cm + offset_cm));
 }
 
+// Unit: 0 degrees round is the front, 0 up is level.
 glm::vec3 Direction(float around_deg, float elevation_deg) {
   const float a = around_deg * kRadPerDeg;
   const float e = elevation_deg * kRadPerDeg;
@@ -91,6 +92,7 @@ glm::vec3 OnComb(const Skull& skull, const Comb& comb, float t) {
   return skull.Above(d, comb.root_cm + (high_cm - comb.root_cm) * rise);
 }
 
+// Away from a level axis, so that what hangs down from the crown stands off sideways, and never downwards.
 glm::vec3 OutwardsAt(const Skull& skull, glm::vec3 point_cm) {
   glm::vec3 away = point_cm - glm::vec3(0, skull.centre_cm.y, kAxisZ_cm);
   away.y = std::max(away.y, 0.0F);

@@ -45,6 +45,7 @@ float Capsule(glm::vec3 p, const Bone& bone) {
   return glm::length(p - bone.a - along * h) - (bone.radius_a + (bone.radius_b - bone.radius_a) * h);
 }
 
+// A capsule is round: an oval neck lies within one of its larger radius.
 float Larger(glm::vec2 radii) {
   return std::max(radii.x, radii.y);
 }
@@ -102,6 +103,7 @@ glm::vec3 Neck::At(float around_deg, float y_cm, float off_cm) const {
 // Middle and half widths of two slices; the neck's front and back need not be alike, its sides are.
 Neck MeasureNeck(const face::Face& face) {
   Neck neck;
+  // The same for every cast.
   static const std::vector<face::Index> vertices = NeckOfCage();
   const Slice top = SliceAt(face, vertices, neck.top_cm.y);
   const Slice bottom = SliceAt(face, vertices, neck.bottom_cm.y + 0.3F);
@@ -146,6 +148,7 @@ glm::vec3 Torso::At(float around_deg, float elevation_deg, float off_cm) const {
   return skin + direction * (off_cm + wrinkles_cm * calm * Wrinkle(skin));
 }
 
+// Along the ray from the middle of the chest, as At() traces it.
 glm::vec3 Torso::Above(glm::vec3 point_cm, float off_cm) const {
   const glm::vec3 d = point_cm - kMiddle_cm;
   const glm::vec3 surface = At(std::atan2(d.x, d.z) / kRadPerDeg, ElevationOf(point_cm), off_cm);
@@ -166,6 +169,7 @@ float Torso::ElevationAt(float around_deg, float y_cm) const {
   return low;
 }
 
+// 0 level with the middle of the chest, 90 straight above it.
 float Torso::ElevationOf(glm::vec3 point_cm) {
   const glm::vec3 d = point_cm - kMiddle_cm;
   return std::atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z)) / kRadPerDeg;

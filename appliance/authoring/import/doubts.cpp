@@ -46,6 +46,8 @@ float SeenOfEyes(const HeadShape& head) {
   return least;
 }
 
+// The head as it would stand if it looked along +Z where it looks along that direction. Motions are left as they are: only
+// what is seen at rest is asked for.
 HeadShape Turned(HeadShape head, const Direction& direction) {
   for (glm::vec3& p : head.positions) p = direction.turned(p);
   for (face::EyeBall& eye : head.eyes) eye.centre = direction.turned(eye.centre);
@@ -81,6 +83,7 @@ bool IsHollow(const HeadShape& head, const std::vector<Landmark>& marks) {
 // A head whose lids are shut at rest shows its eyes to no side, and is not doubted.
 void CheckPose(const Heads& heads, const std::string& file, Findings& findings) {
   const Head& first = heads.heads.front();
+  // Such balls tell nothing about where a head looks to, so that this comes first.
   for (std::size_t side = 0; side < 2; ++side)
     if (!first.is_one_eye[side])
       findings.Add(file, side == 0 ? "left eyeball" : "right eyeball",
@@ -106,8 +109,10 @@ void CheckPose(const Heads& heads, const std::string& file, Findings& findings) 
             best->name));
 }
 
+// A head whose lips are not known is not asked about the inside of its mouth.
 std::vector<std::string> DoubtsAbout(const Heads& heads, const HeadShape& head,
                                      const std::vector<Landmark>& marks, Index moving) {
+  // Each says what is seen, and what would be wanted instead.
   std::vector<std::string> doubts;
   for (std::size_t side = 0; side < 2; ++side)
     if (!(heads.heads.front().eyes[side].radius_m > 0))

@@ -14,6 +14,8 @@ namespace kaori::import {
 // several (two heads in one file, or a head that looks aside).
 void CheckPose(const Heads& heads, const std::string& file, Findings& findings);
 
+// Nothing here keeps a head from being imported: an author at work wants to see how far it is.
+//
 // What an audience would see, a sentence each with what to do; empty where all is well. `head` is ShapeOfHeads(heads),
 // `marks` its landmarks, where they are known; `moving` how many vertices any expression moves.
 std::vector<std::string> DoubtsAbout(const Heads& heads, const HeadShape& head,

@@ -19,7 +19,7 @@ namespace {
 constexpr int kAroundBall = 24;
 constexpr int kAlongBall = 12;
 
-// Text of an OBJ file. Positions and texture coordinates are numbered by themselves, from 1 on.
+// Text of an OBJ file, grown line by line and given away at the end. Positions and texture coordinates are numbered by themselves, from 1 on.
 class ObjText {
  public:
   explicit ObjText(std::string head) : text_(std::move(head)) {}
@@ -56,6 +56,7 @@ class ObjText {
 // One position for both sides of a seam, so that a tool which moves it does not tear the head open.
 void WriteSkin(const face::Topology& topology, const face::Face& face, ObjText& text) {
   text.BeginObject(face.name);
+  // By vertex of the cage: the numbers that the file gives its position and its texture coordinates.
   std::vector<int> position(topology.vertex_count);
   std::vector<int> place;
   for (Index v = 0; v < topology.vertex_count; ++v) {
@@ -63,6 +64,7 @@ void WriteSkin(const face::Topology& topology, const face::Face& face, ObjText& 
     position[v] = first == v ? text.Position(face.positions[v]) : position[first];
     place.push_back(text.Place(topology.texture[v]));
   }
+  // Diagonals of quads are no wires: what the artist gets are the quads.
   std::set<std::pair<Index, Index>> wires;
   for (const auto& [a, b] : topology.wires) wires.insert(std::minmax(a, b));
   const auto weld = [&](Index v) { return std::min(v, topology.twin[v]); };
@@ -82,6 +84,7 @@ void WriteBall(const face::EyeBall& ball, std::size_t side, ObjText& text) {
     return glm::vec2(sculpt::kEyeTile[side] + 0.1F + 0.8F * static_cast<float>(column) / kAroundBall,
                      0.1F + 0.8F * static_cast<float>(row) / kAlongBall);
   };
+  // By row and column; the last column's positions are those of the first, its places are not.
   std::vector<std::vector<int>> positions;
   std::vector<std::vector<int>> places;
   for (int row = 0; row <= kAlongBall; ++row) {
@@ -113,6 +116,7 @@ void WriteBall(const face::EyeBall& ball, std::size_t side, ObjText& text) {
 
 }  // namespace
 
+// The first lines tell whoever opens the file in an editor what may be changed.
 std::string ObjOfFace(const face::Cast& cast, std::size_t face) {
   const face::Face& head = cast.faces[face];
   ObjText text(fmt::format(

@@ -48,6 +48,7 @@ class Importing {
     WantByForm();
     WantOtherRoles();
     WantShapes();
+    // The show's faces wear the artist's shapes where the heads could be laid over each other.
     if (to_show_) {
       made_.on_show = *show_;
       made_.report.on_show = GiveShapes(heads_, *to_show_, made_.on_show->cast);
@@ -185,6 +186,7 @@ class Importing {
   void Build(const ImportOptions& options) {
     const std::vector<Index> before = heads_.skin;
     const Index moving = OrderByMotion(heads_, wanted_);
+    // Before the mouth is moved in the texture, which is a doubt of its own.
     made_.report.doubts = DoubtsAbout(heads_, ShapeOfHeads(heads_), landmarks_, moving);
     GiveMouthItsPlace();
     if (show_ != nullptr) made_.heads = *show_;

@@ -12,6 +12,7 @@ namespace kaori::import {
 int DropLostFaces(show::Show& show) {
   const std::size_t faces = show.cast.faces.size();
   int lost = 0;
+  // The rest of such a call, its mode and its fade, goes with it.
   const auto drop = [&](show::Call& call) {
     if (call.kind != show::CallKind::kFace || call.index < faces) return;
     call = {};
@@ -20,8 +21,10 @@ int DropLostFaces(show::Show& show) {
   std::ranges::for_each(show.buttons, drop);
   std::ranges::for_each(show.second_buttons, drop);
   for (show::KeyCall& key : show.keys) drop(key.call);
+  // A mix keeps its place among the roles, whose numbers other files name.
   for (show::Call& mix : show.roles.mixes)
     if (mix.kind == show::CallKind::kFace && mix.index >= faces) mix.index = 0;
+  // A scene must show somebody.
   for (show::StageScene& scene : show.scenes)
     if (scene.face >= faces) scene.face = 0;
   show.face_fades.resize(std::min(show.face_fades.size(), faces));
@@ -30,7 +33,7 @@ int DropLostFaces(show::Show& show) {
 
 // Each once, however many scenes stand before it.
 void CarryPictures(const show::Show& from, show::Show& to) {
-  std::map<int, int> carried;
+  std::map<int, int> carried;  // From the number there to the number here.
   for (show::StageScene& scene : to.scenes) {
     int& picture = scene.backdrop.picture;
     const bool known = picture >= 0 && picture < static_cast<int>(from.cast.textures.size());
@@ -41,6 +44,7 @@ void CarryPictures(const show::Show& from, show::Show& to) {
   }
 }
 
+// A show without scenes has no script to speak of.
 std::vector<std::string> WhatBecameOf(const show::Show& script, int lost_calls) {
   std::vector<std::string> said;
   if (script.scenes.empty()) return said;

@@ -19,10 +19,12 @@ constexpr glm::vec2 kPatch{0.44F, 0.02F};
 // Calls visit(cell) for each cell whose middle lies within a triangle of either winding.
 template <class Visit>
 void ForCells(const std::array<glm::vec2, 3>& corners, Visit visit) {
+  // Barycentric shares by areas: negative where the cell's middle lies outside.
   const auto cross = [](const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; };
   const glm::vec2 a = corners[0], ab = corners[1] - a, ac = corners[2] - a;
   const float area = cross(ab, ac);
   if (area == 0) return;
+  // The triangle's box, within the texture: coordinates beyond 0..1 have no cells.
   const float side = kCells;
   const glm::ivec2 low =
       glm::clamp(glm::ivec2(glm::min(a, glm::min(corners[1], corners[2])) * side), 0, kCells - 1);
@@ -43,6 +45,8 @@ std::array<glm::vec2, 3> CornersOf(const Heads& heads, const Triangle& t) {
 
 }  // namespace
 
+// By cells: what the mouth covers, and how much of that the skin covers as well. A cell that two teeth cover counts twice,
+// which changes a share by little.
 float MouthOverSkin(const Heads& heads) {
   std::vector<bool> is_skin(static_cast<std::size_t>(kCells) * kCells);
   for (const Triangle& t : heads.triangles)
@@ -61,6 +65,7 @@ float MouthOverSkin(const Heads& heads) {
 
 // Both keep their form within their patch, since surfaces are lit along their coordinates.
 void PutMouthBesideSkin(Heads& heads) {
+  // Two patches, since they are painted in two colours; 0 is that of the teeth.
   const auto is_tongue = [&](std::size_t v) { return heads.part[v] == PartOf::kTongue; };
   std::array<glm::vec2, 2> least{glm::vec2(1e9F), glm::vec2(1e9F)}, most{glm::vec2(-1e9F), glm::vec2(-1e9F)};
   for (std::size_t v = 0; v < heads.uv.size(); ++v) {
@@ -74,6 +79,7 @@ void PutMouthBesideSkin(Heads& heads) {
       uv.y *= kSkinHigh;
       continue;
     }
+    // Without width or height nothing would be divided by.
     const glm::vec2 size = glm::max(most[is_tongue(v)] - least[is_tongue(v)], glm::vec2(1e-6F));
     uv = (is_tongue(v) ? kTongueLow : kTeethLow) + kPatch * (uv - least[is_tongue(v)]) / size;
   }

@@ -7,6 +7,8 @@
 
 namespace kaori::import {
 
+// Teeth and tongue are pieces of their own, for which tools like to unwrap the whole square once more.
+//
 // How much of the area that teeth and tongue have in the texture lies over the skin's: 0..1; 0 where there are none.
 float MouthOverSkin(const Heads& heads);
 

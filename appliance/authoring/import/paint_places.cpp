@@ -17,6 +17,7 @@ HeadShape FirstFaceOf(const face::Cast& show) {
 
 // Whether more than half of a spot lies on what can be seen from the front.
 bool IsSeen(const Spot& spot, const std::vector<bool>& seen) {
+  // A spot that lies across an edge between both is judged by where most of it is.
   float share = 0;
   for (int i = 0; i < 3; ++i)
     if (seen[spot.corners[static_cast<std::size_t>(i)]]) share += spot.shares[i];
@@ -25,8 +26,10 @@ bool IsSeen(const Spot& spot, const std::vector<bool>& seen) {
 
 // Half-way to the mean of the neighbours, a few times.
 void SmoothPlaces(const MeshGraph& graph, std::vector<glm::vec2>& place) {
+  // Four steps take a zigzag of one vertex away, and leave lips and brows their form.
   constexpr int kSteps = 4;
   constexpr float kShare = 0.5F;
+  // The graph smooths vectors of space; the third number stays 0.
   std::vector<glm::vec3> values;
   for (const glm::vec2& p : place) values.emplace_back(p, 0);
   for (int step = 0; step < kSteps; ++step) graph.Smooth(kShare, values);
@@ -38,16 +41,19 @@ void SmoothPlaces(const MeshGraph& graph, std::vector<glm::vec2>& place) {
 // From the edge of what is wrong inwards, a ring of vertices a step.
 void SettlePlaces(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
                   std::vector<glm::vec2>& place) {
+  // More than a mouth has between its corner and the cheek: what is wrong farther in keeps its place.
   constexpr int kMostRings = 12;
   const HeadShape head = ShapeOfHeads(heads);
   const std::vector<bool> seen_here = SeenFromFront(head);
   const std::vector<bool> seen_there = SeenFromFront(FirstFaceOf(show));
   const MeshGraph graph(head.positions, head.triangles);
+  // Of copies across a seam of the texture the first alone is looked at, which the graph knows.
   std::vector<bool> wrong(spots.size());
   for (Index v = 0; v < spots.size(); ++v)
     wrong[v] =
         heads.part[v] == PartOf::kSkin && graph.weld(v) == v && seen_here[v] && !IsSeen(spots[v], seen_there);
   for (int ring = 0; ring < kMostRings; ++ring) {
+    // What this step mends helps its neighbours in the next one only, so that the order of vertices does not matter.
     std::vector<Index> mended;
     for (Index v = 0; v < wrong.size(); ++v) {
       if (!wrong[v]) continue;
@@ -65,6 +71,7 @@ void SettlePlaces(const Heads& heads, const std::vector<Spot>& spots, const face
     for (const Index v : mended) wrong[v] = false;
     if (mended.empty()) break;
   }
+  // Copies follow.
   for (Index v = 0; v < place.size(); ++v)
     if (heads.part[v] == PartOf::kSkin) place[v] = place[graph.weld(v)];
   SmoothPlaces(graph, place);
@@ -72,6 +79,7 @@ void SettlePlaces(const Heads& heads, const std::vector<Spot>& spots, const face
 
 // Spread from behind the lips, through what is hidden.
 std::vector<bool> InsideOfMouth(const HeadShape& head) {
+  // Nostrils are farther from the lips than the first; a throat that goes on into a neck ends at the second.
   constexpr float kBehindLips_m = 0.010F, kFarthest_m = 0.09F;
   const std::vector<Landmark> marks = FindLandmarks(head);
   const auto upper = std::ranges::find(marks, "upper lip", &Landmark::name);
@@ -89,6 +97,7 @@ std::vector<bool> InsideOfMouth(const HeadShape& head) {
     inside[v] = true;
     to_visit.push_back(v);
   };
+  // Vertices without neighbours are copies, or belong to teeth.
   for (Index v = 0; v < inside.size(); ++v)
     if (!graph.around(v).empty()) visit(v, kBehindLips_m);
   while (!to_visit.empty()) {

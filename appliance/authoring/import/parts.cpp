@@ -83,6 +83,7 @@ double Roughness(const Model& model, const std::vector<Index>& vertices, const f
   return std::sqrt(sum / static_cast<double>(vertices.size())) / ball.radius_m;
 }
 
+// Numbers of the model's vertices, ascending.
 std::vector<Index> VerticesOf(const std::vector<PartOf>& parts, PartOf part) {
   std::vector<Index> vertices;
   for (Index v = 0; v < parts.size(); ++v)
@@ -250,6 +251,7 @@ std::optional<face::EyeBall> FitBall(const Model& model, const std::vector<PartO
 
 bool IsOneBall(const Model& model, const std::vector<PartOf>& parts, PartOf part, const face::EyeBall& ball) {
   const std::vector<Index> vertices = VerticesOf(parts, part);
+  // A side without an eye is DoubtsAbout's business.
   if (vertices.empty() || !(ball.radius_m > 0)) return true;
   return ball.radius_m <= kLargestEye_m && Roughness(model, vertices, ball) < kSeveralBalls;
 }

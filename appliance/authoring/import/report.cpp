@@ -65,6 +65,7 @@ std::vector<std::string> UnmappedRoles(const Report& report) {
 std::string Text(const Report& report) {
   std::string text;
   for (const std::string& remark : report.remarks) text += remark + "\n";
+  // Before the tables, which few people read to their end.
   if (!report.doubts.empty()) text += "\nnot fit for a stage yet\n";
   for (const std::string& doubt : report.doubts) text += "  " + doubt + "\n";
   text += Shapes("the artist's shapes; what control points alone miss (the rest is kept beside them)",

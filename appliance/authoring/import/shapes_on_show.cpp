@@ -13,6 +13,7 @@ namespace {
 // The show's lids ride on its eyeballs: a blink shuts them, instead of pulling at control points.
 void GiveToLids(const Heads& heads, const Shape& shape, std::size_t side, const face::Topology& topology,
                 face::Expression& expression) {
+  // The shape itself must be the blink: one that only squints keeps pulling.
   const Role* blink = FindRole(heads, kBlinks[side]);
   if (blink == nullptr || topology.lids[side].columns == 0) return;
   if (heads.shapes[blink->parts.front().shape].name != shape.name) return;
@@ -23,11 +24,13 @@ void GiveToLids(const Heads& heads, const Shape& shape, std::size_t side, const 
 
 }  // namespace
 
+// Each is fitted to the control points of the show, which is how all of its faces can wear it.
 std::vector<ReportedShape> GiveShapes(const Heads& heads, const Bridge& to_show, face::Cast& cast) {
   std::vector<ReportedShape> reported;
   const ShapeFit fit(cast.net, cast.faces.front().positions);
   for (const Shape& shape : heads.shapes) {
     FitError error;
+    // Operators call expressions by name, so that none may hide another.
     const bool taken =
         std::ranges::find(cast.expressions, shape.name, &face::Expression::name) != cast.expressions.end();
     const std::string name = taken ? shape.name + " (shape)" : shape.name;

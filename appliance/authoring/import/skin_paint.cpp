@@ -170,6 +170,7 @@ void PaintLids(const Heads& heads, const Colour& ground, Painting& painting) {
 
 // Softly from the lips on, since a lip turns inwards.
 void PaintInsideOfMouth(const Heads& heads, Painting& painting) {
+  // Without known lips nothing is told apart, and the inside stays as it is.
   const std::vector<bool> inside = InsideOfMouth(ShapeOfHeads(heads));
   if (inside.empty()) return;
   for (const Triangle& t : heads.triangles) {

@@ -42,12 +42,15 @@ Result<std::size_t> FaceOf(const face::Cast& cast, const Arguments& arguments) {
   if (wanted == arguments.options.end()) return std::size_t{0};
   const auto face = std::ranges::find(cast.faces, wanted->second, &face::Face::name);
   if (face != cast.faces.end()) return static_cast<std::size_t>(face - cast.faces.begin());
+  // A name that was misspelt is easier to see among those that are there.
   std::vector<std::string> names;
   for (const face::Face& one : cast.faces) names.push_back(one.name);
   return FailInput(fmt::format("export: --face: the show has no face \"{}\"; it has {}", wanted->second,
                                fmt::join(names, ", ")));
 }
 
+// What was written goes to standard error, so that a script that reads standard output has nothing to skip.
+// Errors: those of the show's files, of the face's name, and of writing.
 Result<void> WriteExport(const Arguments& arguments) {
   const std::filesystem::path file = arguments.words[1];
   if (file.extension() != ".obj")

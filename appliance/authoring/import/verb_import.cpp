@@ -149,6 +149,7 @@ Result<void> RunImport(const Arguments& arguments) {
   if (auto ok = writing.Packs(*made); !ok) return ok;
   const std::string report =
       arguments.Has("--json") ? import::JsonText(made->report) : import::Text(made->report);
+  // Sheets take the shows away; doubts are said last, where nobody overlooks them.
   const std::vector<std::string> doubts = made->report.doubts;
   if (arguments.Has("--sheets"))
     if (auto ok = writing.Sheets(std::move(*made)); !ok) return ok;

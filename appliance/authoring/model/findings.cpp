@@ -15,6 +15,7 @@ void Findings::Add(std::string_view file, std::string_view item, std::string_vie
                                 : fmt::format("{}: {}: {}", file, item, reason));
 }
 
+// Whoever mends the first two hundred faults has mended the cause of the rest.
 tl::unexpected<Error> Findings::Refuse() const {
   std::string text = fmt::format("{}", fmt::join(lines_, "\n"));
   if (dropped_ > 0) text += fmt::format("\n(and {} more)", dropped_);

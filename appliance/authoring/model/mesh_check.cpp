@@ -54,6 +54,7 @@ void CheckSize(const Model& model, Findings& findings) {
   const glm::vec3 size = most - least;
   const float largest = std::max({size.x, size.y, size.z});
   if (largest >= kSmallest_m && largest <= kLargest_m) return;
+  // Whoever forgot the scale has forgotten a factor of a hundred or a thousand.
   const char* hint = largest > 10 * kLargest_m ? ": it is in centimetres or millimetres; scale it" : "";
   findings.Add(model.file, "",
                fmt::format("is {:.4g} m large; a head in metres is expected{}", largest, hint));
@@ -76,6 +77,7 @@ std::string InMeshes(const Model& model, const std::vector<Triangle>& triangles)
     const auto count = static_cast<std::size_t>(std::ranges::count_if(triangles, is_here));
     if (count > 0) counts.emplace_back(count, mesh.name);
   }
+  // Of a file with one mesh its name tells nothing.
   if (model.meshes.size() < 2) return {};
   std::ranges::stable_sort(counts, std::ranges::greater{}, &std::pair<std::size_t, std::string>::first);
   std::string text;

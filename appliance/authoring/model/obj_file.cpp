@@ -152,6 +152,7 @@ class ObjFileBuilder {
       model_.triangles.push_back(triangle);
     }
     if (model_.triangles.size() == before) return;
+    // The stretch of vertices that this object names, whether or not others lie within it.
     Index least = model_.triangles.back()[0], most = least;
     for (std::size_t i = before; i < model_.triangles.size(); ++i)
       for (const Index corner : model_.triangles[i]) {

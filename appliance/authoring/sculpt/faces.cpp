@@ -55,6 +55,7 @@ class Shaper {
     for (const Index vertex : cage_.left) face.shape.position.push_back(head->position[vertex]);
     const Mouth own = MouthOf(*head);
     const Mouth first = MouthOf({WholePositions(cage_, reference_.position), {}});
+    // Teeth and tongue are modelled for the reference's mouth.
     face.mouth_scale = own.width / first.width;
     face.mouth_shift = own.middle - first.middle;
     face.whole = std::move(*head);
@@ -81,6 +82,7 @@ class Shaper {
   HalfShape reference_;
 };
 
+// On its own side already.
 face::EyeBall MakeEye(const Ball& ball) {
   return {Metres(ball.centre), Metres(ball.radius), Metres(ball.lid_thickness)};
 }

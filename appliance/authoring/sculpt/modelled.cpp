@@ -35,6 +35,7 @@ glm::dvec3 Centimetres(const glm::vec3& p_m) {
 
 // The vertex of the model that lies nearest to a place of the texture; none within kSamePlace.
 std::optional<Index> AtPlace(const model::Model& head, const glm::dvec2& place) {
+  // Every vertex is compared with every place: some ten million distances, which are a moment's work.
   std::optional<Index> nearest;
   double least = kSamePlace;
   for (Index v = 0; v < head.uv.size(); ++v) {
@@ -62,6 +63,7 @@ Result<std::vector<glm::dvec3>> SkinOf(const Cage& cage, const HalfShape& refere
         "{}: {} of the {} vertices of the cast's mesh are not in its texture map; begin with a head "
         "that kaori-atelier export wrote, move its vertices, and leave mesh and UV map alone",
         head.file, missing, position.size()));
+  // A vertex that is no copy is its own twin, and stays where it is.
   const std::vector<glm::dvec3> parted = position;
   for (Index v = 0; v < position.size(); ++v) position[v] = 0.5 * (parted[v] + parted[cage.vertices[v].twin]);
   return position;
@@ -110,6 +112,7 @@ void LayLids(const Cage& cage, ModelledHead& head) {
     HalfShape half = SideOf(cage, head.position, side);
     Ball ball = head.eyes[side];
     if (side == 1) ball.centre = Mirrored(ball.centre);
+    // Of the half only the eye's rings are changed, none of which lies in the middle of the face.
     FitLids(cage.half, ball, kSkinOverBall_cm, half);
     for (Index h = 0; h < half.position.size(); ++h) {
       if (cage.half.keys[h].region != Region::kEye) continue;
@@ -129,6 +132,7 @@ Result<ModelledHead> ReadModelledHead(const Cage& cage, const HalfShape& referen
   auto position = SkinOf(cage, reference, *model);
   if (!position) return tl::unexpected(position.error());
   ModelledHead head{std::move(*position), {}};
+  // A vertex that was dragged away by mistake would spoil bounds, shades and hair before anybody saw it.
   for (const glm::dvec3& p : head.position)
     if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthestPart_cm)
       return FailInput(fmt::format(

@@ -154,6 +154,7 @@ struct Turned {
 struct Modelled {
   // As an open file names it: beside the face's own file.
   std::filesystem::path mesh;
+  // Of both lids, as EyeRecipe::thickness: how far their margins stand over the balls that come with the mesh.
   double lid_thickness = 0.13;
 };
 
