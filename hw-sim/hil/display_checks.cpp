@@ -12,6 +12,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+constexpr const char* kFirstPicture = "the first picture is drawn";  // The stage says it on the console.
 constexpr Duration kLongestDisplayStart = seconds(600);
 constexpr Duration kLongestDisplay = seconds(180);
 constexpr Duration kQuiet = seconds(20);      // For so long nothing may change for the worse.
@@ -67,7 +68,7 @@ bool HasEnded(Scene& scene) {
 
 // The stage says so also where no screen shows it.
 Result<void> AwaitFirstPicture(Scene& scene) {
-  if (scene.target.UntilConsole({"the first picture is drawn"}, kLongestDisplayStart)) return {};
+  if (scene.target.UntilConsole({kFirstPicture}, kLongestDisplayStart)) return {};
   return Fail(std::errc::timed_out, "wait for the first picture");
 }
 
@@ -203,7 +204,8 @@ Result<void> WatchHandover(Scene& scene, HandoverWatch& watch) {
     auto ok = scene.target.machine().Shoot(0, watch.now());
     if (ok) ok = watch.Look();
     if (!ok) return ok;
-    const bool plays = scene.target.UntilConsole({"Started ", "kaori-stage"}, Duration::zero());
+    // The stage's own words: those of the service manager come only where a start takes long.
+    const bool plays = scene.target.UntilConsole({kFirstPicture}, Duration::zero());
     if (plays && !played) ends = scene.target.clock().now() + kAfterFace;
     played |= plays;
   }

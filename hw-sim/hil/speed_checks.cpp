@@ -12,8 +12,9 @@ using std::chrono::seconds;
 
 const Setup kWindow{
     .plugged = false, .sound = false, .graphics = Graphics::kVirgl, .width_px = 960, .height_px = 540};
-// What looks smooth enough; a real card draws every frame of its screen.
-constexpr double kLeast_hz = 15;
+// As many as the stage of 1993 had at least: two processors draw here for the machine and for its card, as fast as
+// they can on that day; a real card draws every frame of its screen.
+constexpr double kLeast_hz = 10;
 constexpr int kWindows = 4;  // The best of them counts: neighbours may have had the processors in others.
 // Long enough for a hundred frames of a machine that is fast enough.
 constexpr Duration kOfAWindow = seconds(8);
@@ -72,7 +73,7 @@ Result<void> Virgl(Scene& scene) {
 }  // namespace
 
 std::vector<Check> SpeedChecks() {
-  return {{"virgl", "Drawn through virgl it is smooth", false, Virgl, kWindow, "kaori-stage.service"}};
+  return {{"virgl", "Drawn through virgl it moves as in 1993, or smoother", false, Virgl, kWindow, "kaori-stage.service"}};
 }
 
 }  // namespace kaori::hil
