@@ -54,9 +54,8 @@ Result<std::uint64_t> StageInRoot_bytes(const std::string& image) {
   return at;
 }
 
-// systemd says so once the stage has drawn its first frame.
 bool FaceComes(Scene& scene, Duration longest) {
-  return scene.target.UntilConsole({"Started ", "kaori-stage"}, longest);
+  return scene.target.UntilFirstPicture(longest);
 }
 
 // Starts a box with one flipped bit and waits until the kernel says that the block is corrupted.

@@ -12,7 +12,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr const char* kFirstPicture = "the first picture is drawn";  // The stage says it on the console.
 constexpr Duration kLongestDisplayStart = seconds(600);
 constexpr Duration kLongestDisplay = seconds(180);
 constexpr Duration kQuiet = seconds(20);      // For so long nothing may change for the worse.
@@ -68,7 +67,7 @@ bool HasEnded(Scene& scene) {
 
 // The stage says so also where no screen shows it.
 Result<void> AwaitFirstPicture(Scene& scene) {
-  if (scene.target.UntilConsole({kFirstPicture}, kLongestDisplayStart)) return {};
+  if (scene.target.UntilFirstPicture(kLongestDisplayStart)) return {};
   return Fail(std::errc::timed_out, "wait for the first picture");
 }
 
@@ -204,8 +203,7 @@ Result<void> WatchHandover(Scene& scene, HandoverWatch& watch) {
     auto ok = scene.target.machine().Shoot(0, watch.now());
     if (ok) ok = watch.Look();
     if (!ok) return ok;
-    // The stage's own words: those of the service manager come only where a start takes long.
-    const bool plays = scene.target.UntilConsole({kFirstPicture}, Duration::zero());
+    const bool plays = scene.target.UntilFirstPicture(Duration::zero());
     if (plays && !played) ends = scene.target.clock().now() + kAfterFace;
     played |= plays;
   }

@@ -73,7 +73,8 @@ Result<void> Virgl(Scene& scene) {
 }  // namespace
 
 std::vector<Check> SpeedChecks() {
-  return {{"virgl", "Drawn through virgl it moves as in 1993, or smoother", false, Virgl, kWindow, "kaori-stage.service"}};
+  return {{"virgl", "Drawn through virgl it moves as in 1993, or smoother", false, Virgl, kWindow,
+           "kaori-stage.service"}};
 }
 
 }  // namespace kaori::hil

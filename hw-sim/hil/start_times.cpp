@@ -26,7 +26,7 @@ Result<StartTimes> AwaitStart(Target& target, Time began, const std::string& sho
   while (target.clock().now() - began < kLongestFirstFace && target.machine().runs()) {
     if (times.light_s == 0 && ShowsAnyPicture(target, shot))
       times.light_s = Seconds(target.clock().now() - began);
-    if (target.UntilConsole({"Started ", "kaori-stage"}, kLookAtScreen)) {
+    if (target.UntilFirstPicture(kLookAtScreen)) {
       times.face_s = Seconds(target.clock().now() - began);
       // Looks at the screen were too seldom to see the still: the face came first.
       if (times.light_s == 0) times.light_s = times.face_s;

@@ -111,6 +111,15 @@ bool Target::UntilConsole(std::initializer_list<std::string_view> parts, Duratio
   return Until([&] { return said() || !machine_.runs(); }, longest) && said();
 }
 
+// The service manager's line is not always there: it writes over it where it counts the seconds of a start.
+bool Target::UntilFirstPicture(Duration longest) {
+  const auto said = [&] {
+    const std::string console = machine_.console();
+    return HasLine(console, {"the first picture is drawn"}) || HasLine(console, {"Started ", "kaori-stage"});
+  };
+  return Until([&] { return said() || !machine_.runs(); }, longest) && said();
+}
+
 // The order is that of the sockets, and so of the ports of QEMU's controller.
 Result<void> Target::PlugAll() {
   for (const std::string_view name : sim::kUsbSockets)

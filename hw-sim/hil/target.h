@@ -48,6 +48,8 @@ class Target final : public Waiter {
   // Waits until one line of the log of a machine without an agent has all of `parts`. False: it did not come
   // in time, or the machine ended before.
   bool UntilConsole(std::initializer_list<std::string_view> parts, Duration longest);
+  // The same until the log says, by the stage or by the service manager, that the stage has drawn its first picture.
+  bool UntilFirstPicture(Duration longest);
 
   // Await and UntilBoard wait no longer than this: in the control of a check nothing is expected to come.
   void SetPatience(Duration patience) { patience_ = patience; }
