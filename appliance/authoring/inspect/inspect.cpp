@@ -1,9 +1,9 @@
 #include "appliance/authoring/inspect/inspect.h"
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -153,25 +153,25 @@ Inspection Sum(std::vector<Inspection> parts) {
 
 }  // namespace
 
-// Workers share only the number of the next face and the lock for speaking: each result has a place of its
+// Workers share only the number of the next face and its lock: each result has a place of its
 // own, and nothing is locked while a face is looked at.
 Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun,
                    Scope scope) {
   if (cast.topology.fine.triangles.empty()) return {};
   std::vector<Inspection> found(cast.faces.size());
-  // Faces are handed out one by one: they take unequally long.
-  std::atomic<std::size_t> next = 0;
-  // One at a time tells how far it is.
-  std::mutex speaking;
+  // Faces are handed out one by one, since they take unequally long, and told of as they are: in their order.
+  std::size_t next = 0;
+  std::mutex handing_out;
+  const auto begin_next = [&]() -> std::optional<std::size_t> {
+    const std::lock_guard alone(handing_out);
+    if (next == found.size()) return std::nullopt;
+    face_begun(cast.faces[next].name);
+    return next++;
+  };
   const auto work = [&] {
     Inspector inspector(cast, scope);
-    for (std::size_t face = next++; face < found.size(); face = next++) {
-      {
-        const std::lock_guard alone(speaking);
-        face_begun(cast.faces[face].name);
-      }
-      found[face] = inspector.InspectFace(static_cast<std::uint16_t>(face));
-    }
+    while (const auto face = begin_next())
+      found[*face] = inspector.InspectFace(static_cast<std::uint16_t>(*face));
   };
   // Where the number of processors is not known, it is 0.
   const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
