@@ -82,11 +82,7 @@ void Console::Tick() {
   std::uint64_t passed = 0;
   (void)!::read(ticks_.get(), &passed, sizeof(passed));
   const Time now = clock_.now();
-  values_.Follow(rig_.dial_box(), rig_.keyboard(), sheet_);
-  editor_watch_.Follow({.tab_held = rig_.keyboard().held(EditorWatch::kTab),
-                        .keyboard_heard = rig_.connected("keyboard"),
-                        .screen_drawn = rig_.connected("screen"),
-                        .screen_plugged = rig_.plugged("screen")});
+  FollowDevices();
   shown_.See(rig_.screen().frames_shown(), now);
   ShowPicture(now);
   ShowMonitor(now);
@@ -95,6 +91,14 @@ void Console::Tick() {
   // MHD sends what was just published, and closes connections that are too slow.
   server_->Run();
   LetGoAlone();
+}
+
+void Console::FollowDevices() {
+  values_.Follow(rig_.dial_box(), rig_.keyboard(), sheet_);
+  editor_watch_.Follow({.tab_held = rig_.keyboard().held(EditorWatch::kTab),
+                        .keyboard_heard = rig_.connected("keyboard"),
+                        .screen_drawn = rig_.connected("screen"),
+                        .screen_plugged = rig_.plugged("screen")});
 }
 
 // Encodes once for all listeners, and only when one of them has room for it.
@@ -206,8 +210,10 @@ Reply Console::AcceptCalls(std::string_view lines) {
 }
 
 Result<void> Console::Do(const std::vector<sim::OperatorAction>& actions) {
-  for (const auto& action : actions)
+  for (const auto& action : actions) {
     if (auto done = rig_.Do(action); !done) return done;
+    FollowDevices();  // One message may hold a key's push and its release.
+  }
   rig_.Pump();
   return {};
 }

@@ -64,6 +64,8 @@ class Console {
   Result<void> StartTicking();
   // Looks at everything once and sends what is due.
   void Tick();
+  // Looks at what the devices do now: what fills a dial, and whether the needles were opened.
+  void FollowDevices();
   // Sends the newest picture where a page has room for it and its time has come.
   void ShowPicture(Time now);
   // Shows the operators' monitor while a page looks at it, and has it drawn no longer than that.

@@ -23,6 +23,12 @@ void Say(const std::string& line) {
   std::fflush(stdout);
 }
 
+// A device that nothing here can read stays open, and unread.
+bool Refuse(const Error& error) {
+  Say(error.message());
+  return true;
+}
+
 bool held(const decode::KeySample& sample, std::uint8_t usage) {
   return ((sample.keys.down[usage / 32] >> (usage % 32)) & 1u) != 0;
 }
@@ -53,11 +59,13 @@ void DrawDot(const ports::PixelBuffer& into, int x_px, int y_px) {
   }
 }
 
-// Every report that waits goes to `handle`.
+// Every report that waits goes to `handle`. False once the device has gone.
 template <class Handler>
-void ReadAll(ports::HidChannel& channel, Handler handle) {
+bool ReadAll(ports::HidChannel& channel, Handler handle) {
   std::array<std::uint8_t, 64> report{};
-  while (const auto input = channel.Read(report)) handle(std::span(report).first(input->bytes), input->at);
+  auto input = channel.Read(report);
+  for (; input; input = channel.Read(report)) handle(std::span(report).first(input->bytes), input->at);
+  return input.error().cause == std::errc::resource_unavailable_try_again;
 }
 
 }  // namespace
@@ -73,12 +81,7 @@ Result<std::unique_ptr<ToyStage>> ToyStage::Open(const std::string& folder) {
 
 void ToyStage::Step() {
   OpenPorts();
-  for (auto& [port, channel] : channels_) {
-    if (port == "dial-box") ReadDialBox(*channel);
-    if (port.starts_with("stick-")) ReadStick(*channel);
-    if (port == "keyboard") ReadKeyboard(*channel);
-    if (port == "pointer") ReadPointer(*channel);
-  }
+  std::erase_if(channels_, [this](const auto& open) { return !Read(open.first, *open.second); });
   ReadLines();
   Sound();
   Draw();
@@ -87,21 +90,28 @@ void ToyStage::Step() {
 void ToyStage::OpenPorts() {
   const auto ports = bus_->Ports();
   if (!ports) return;
-  std::erase_if(channels_,
-                [&](const auto& open) { return std::ranges::find(*ports, open.first) == ports->end(); });
   for (const auto& port : *ports) {
     if (channels_.contains(port)) continue;
     if (auto channel = bus_->Open(port)) channels_[port] = std::move(*channel);
   }
 }
 
-void ToyStage::ReadDialBox(ports::HidChannel& channel) {
+// A cable that was out and in again between two steps has left a channel that ends here; the next step opens another.
+bool ToyStage::Read(const std::string& port, ports::HidChannel& channel) {
+  if (port == "dial-box") return ReadDialBox(channel);
+  if (port.starts_with("stick-")) return ReadStick(channel);
+  if (port == "keyboard") return ReadKeyboard(channel);
+  if (port == "pointer") return ReadPointer(channel);
+  return true;
+}
+
+bool ToyStage::ReadDialBox(ports::HidChannel& channel) {
   if (!dial_box_) {
     auto decoder = decode::DialBoxDecoder::For(channel.identity());
-    if (!decoder) return Say(decoder.error().message());
+    if (!decoder) return Refuse(decoder.error());
     dial_box_.emplace(std::move(*decoder));
   }
-  ReadAll(channel, [&](auto report, Time at) {
+  return ReadAll(channel, [&](auto report, Time at) {
     const decode::DialSample before = dial_box_->sample();
     if (const auto now = dial_box_->Decode(report, at)) TellDialBox(before, *now, channel);
   });
@@ -118,26 +128,26 @@ void ToyStage::TellDialBox(const decode::DialSample& before, const decode::DialS
   if (changed != 0) (void)channel.Write(dial_box_->LampReport(lamps_));
 }
 
-void ToyStage::ReadStick(ports::HidChannel& channel) {
+bool ToyStage::ReadStick(ports::HidChannel& channel) {
   const std::string& port = channel.identity().port;
   if (!sticks_.contains(port)) {
     auto decoder = decode::JoystickDecoder::For(channel.identity());
-    if (!decoder) return Say(decoder.error().message());
+    if (!decoder) return Refuse(decoder.error());
     sticks_.emplace(port, std::move(*decoder));
   }
-  ReadAll(channel, [&](auto report, Time at) {
+  return ReadAll(channel, [&](auto report, Time at) {
     if (const auto now = sticks_.at(port).Decode(report, at))
       Say(fmt::format("{} {:.2f} {:.2f} {:.2f} {:.2f}", port, now->x, now->y, now->twist, now->slider));
   });
 }
 
-void ToyStage::ReadKeyboard(ports::HidChannel& channel) {
+bool ToyStage::ReadKeyboard(ports::HidChannel& channel) {
   if (!keyboard_) {
     auto decoder = decode::KeyboardDecoder::For(channel.identity());
-    if (!decoder) return Say(decoder.error().message());
+    if (!decoder) return Refuse(decoder.error());
     keyboard_.emplace(std::move(*decoder));
   }
-  ReadAll(channel, [&](auto report, Time at) {
+  return ReadAll(channel, [&](auto report, Time at) {
     const decode::KeySample before = keyboard_->sample();
     const auto now = keyboard_->Decode(report, at);
     for (unsigned usage = 4; now && usage < 232; ++usage) {
@@ -147,13 +157,13 @@ void ToyStage::ReadKeyboard(ports::HidChannel& channel) {
   });
 }
 
-void ToyStage::ReadPointer(ports::HidChannel& channel) {
+bool ToyStage::ReadPointer(ports::HidChannel& channel) {
   if (!pointer_) {
     auto decoder = decode::PointerDecoder::For(channel.identity());
-    if (!decoder) return Say(decoder.error().message());
+    if (!decoder) return Refuse(decoder.error());
     pointer_.emplace(std::move(*decoder));
   }
-  ReadAll(channel, [&](auto report, Time at) {
+  return ReadAll(channel, [&](auto report, Time at) {
     if (const auto now = pointer_->Decode(report, at))
       Say(fmt::format("pointer {:.3f} {:.3f} {} {}", now->x, now->y, now->buttons.down[0], now->wheel));
   });

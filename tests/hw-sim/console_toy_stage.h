@@ -36,10 +36,12 @@ class ToyStage {
  private:
   ToyStage(std::string folder, std::unique_ptr<ports::HidBus> bus);
   void OpenPorts();
-  void ReadDialBox(ports::HidChannel& channel);
-  void ReadStick(ports::HidChannel& channel);
-  void ReadKeyboard(ports::HidChannel& channel);
-  void ReadPointer(ports::HidChannel& channel);
+  // Reads what waits at a port. False once its device has gone.
+  bool Read(const std::string& port, ports::HidChannel& channel);
+  bool ReadDialBox(ports::HidChannel& channel);
+  bool ReadStick(ports::HidChannel& channel);
+  bool ReadKeyboard(ports::HidChannel& channel);
+  bool ReadPointer(ports::HidChannel& channel);
   void TellDialBox(const decode::DialSample& before, const decode::DialSample& now,
                    ports::HidChannel& channel);
   void ReadLines();

@@ -343,6 +343,13 @@ test('the needles are shut by the same switch, and the face is a handle again', 
   await until('sticks at rest', () => harness.heard('stick-left')[0] === 0);
 });
 
+test('a switch that is pushed and let go in one message opens the needles, and the next one shuts them', async () => {
+  for (const open of [true, false]) {
+    await page.evaluate(() => fetch('/input', {method: 'POST', body: 'key usage-43 press\nkey usage-43 release'}));
+    await until(`needles that are ${open ? 'open' : 'shut'}`, async () => (await harness.state()).editor_open === open);
+  }
+});
+
 test('a page that is closed in the middle of a drag lets go', async () => {
   await page.goto('about:blank');  // The only page that listens shall be the one that is closed.
   const leaving = await openPage(browser, await harness.address());
