@@ -35,7 +35,7 @@ constexpr std::array kMarks{
     Mark{"the graphics card is open", "", "Mesa is loaded, the graphics card is open"},
     Mark{"kaori-stage: ", "is read", "the show is read"},
     Mark{" on", "is opened", "faces and shaders are ready"},
-    Mark{"Started ", "kaori-stage", "the first face is on the screen"}};
+    Mark{kFirstPicture, "", "the first face is on the screen"}};
 
 // Prints each mark once, as soon as the log has it.
 class Trace {

@@ -57,13 +57,13 @@ struct Shares {
 };
 
 // QEMU's emulation by several threads (MTTCG) now and then lets a kernel run into an instruction that another processor is patching,
-// and that kernel panics in an int3. It was seen with Debian's kernel alone, and says nothing of the time of its start: it is
+// and that kernel panics in an int3, which ends the machine. It was seen with Debian's kernel alone, and says nothing of the time of its start: it is
 // started again.
 Result<StartTimes> StartUsual(Scene& scene, const Setup& usual) {
   constexpr int kTries = 3;
   for (int n = 1;; ++n) {
     auto times = StartOnce(scene, usual);
-    if (times || times.error().cause != std::errc::state_not_recoverable || n == kTries) return times;
+    if (times || times.error().cause != std::errc::no_such_device || n == kTries) return times;
   }
 }
 

@@ -22,7 +22,7 @@ bool ShowsAnyPicture(Target& target, const std::string& shot);
 
 // Waits for both on a machine that has just been switched on: looks at the screen ten times a second,
 // and at its log. `shot` is a file for pictures of the screen, PNG. Blocks for a quarter of an hour at
-// most. Errors: timed_out, no_such_device (the machine ended), state_not_recoverable (its kernel panicked).
+// most. Errors: timed_out, no_such_device (the machine ended).
 Result<StartTimes> AwaitStart(Target& target, Time began, const std::string& shot);
 
 // Whether a start is as fast as it shall be; both are shares of the usual

@@ -115,7 +115,7 @@ bool Target::UntilConsole(std::initializer_list<std::string_view> parts, Duratio
 bool Target::UntilFirstPicture(Duration longest) {
   const auto said = [&] {
     const std::string console = machine_.console();
-    return HasLine(console, {"the first picture is drawn"}) || HasLine(console, {"Started ", "kaori-stage"});
+    return HasLine(console, {kFirstPicture}) || HasLine(console, {"Started ", "kaori-stage"});
   };
   return Until([&] { return said() || !machine_.runs(); }, longest) && said();
 }

@@ -15,6 +15,9 @@
 
 namespace kaori::hil {
 
+// What the stage says in the log once it has drawn its first picture.
+inline constexpr std::string_view kFirstPicture = "the first picture is drawn";
+
 // Everything that a check can touch. Devices are played on while anything waits: whoever waits
 // in another way stops them. One thread.
 class Target final : public Waiter {
