@@ -67,11 +67,10 @@ struct Slice {
 // The vertices of the cage that can be a neck's: the grid's lowest rows, up to the one under the chin. A chin that
 // hangs lower is none of the neck.
 std::vector<face::Index> NeckOfCage() {
-  constexpr int kUnderChin = 5;
   const sculpt::Cage cage = sculpt::BuildCage();
   std::vector<face::Index> neck;
   for (face::Index v = 0; v < cage.vertices.size(); ++v)
-    if (cage.key(v).region == sculpt::Region::kGrid && cage.key(v).b <= kUnderChin) neck.push_back(v);
+    if (cage.key(v).region == sculpt::Region::kGrid && cage.key(v).b <= sculpt::kNeckRows) neck.push_back(v);
   return neck;
 }
 

@@ -123,13 +123,13 @@ Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to
               std::vector<std::string>& missing) {
   Matched matched;
   for (const Landmark& mark : from) {
-    const auto same = std::ranges::find(to, mark.name, &Landmark::name);
-    if (same == to.end()) {
+    const auto same = LandmarkAt(to, mark.name);
+    if (!same) {
       missing.push_back(mark.name);
       continue;
     }
-    matched.forth.push_back({glm::dvec3(mark.at), glm::dvec3(same->at)});
-    matched.back.push_back({glm::dvec3(same->at), glm::dvec3(mark.at)});
+    matched.forth.push_back({glm::dvec3(mark.at), glm::dvec3(*same)});
+    matched.back.push_back({glm::dvec3(*same), glm::dvec3(mark.at)});
   }
   return matched;
 }

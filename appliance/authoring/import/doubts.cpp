@@ -70,10 +70,9 @@ std::vector<Index> OnBorder(const HeadShape& head) {
 bool IsHollow(const HeadShape& head, const std::vector<Landmark>& marks) {
   const std::vector<Index> border = OnBorder(head);
   const auto ends_at = [&](const char* lip) {
-    const auto mark = std::ranges::find(marks, lip, &Landmark::name);
-    return mark != marks.end() && std::ranges::any_of(border, [&](Index v) {
-             return glm::distance(head.positions[v], mark->at) < kAtLip_m;
-           });
+    const auto mark = LandmarkAt(marks, lip);
+    return mark && std::ranges::any_of(
+                       border, [&](Index v) { return glm::distance(head.positions[v], *mark) < kAtLip_m; });
   };
   return ends_at("upper lip") && ends_at("lower lip");
 }
@@ -81,12 +80,12 @@ bool IsHollow(const HeadShape& head, const std::vector<Landmark>& marks) {
 }  // namespace
 
 // A head whose lids are shut at rest shows its eyes to no side, and is not doubted.
-void CheckPose(const Heads& heads, const std::string& file, Findings& findings) {
+void CheckPose(const Model& model, const Heads& heads, Findings& findings) {
   const Head& first = heads.heads.front();
   // Such balls tell nothing about where a head looks to, so that this comes first.
-  for (std::size_t side = 0; side < 2; ++side)
-    if (!first.is_one_eye[side])
-      findings.Add(file, side == 0 ? "left eyeball" : "right eyeball",
+  for (const PartOf eye : {PartOf::kLeftEye, PartOf::kRightEye})
+    if (!IsOneBall(model, heads.parts, eye))
+      findings.Add(model.file, std::string(NameOf(eye)) + "ball",
                    "more than one ball of an eye's size lies on this side: one head is expected in a file, "
                    "which looks along +Z, "
                    "without pearls or buttons of that size");
@@ -103,7 +102,7 @@ void CheckPose(const Heads& heads, const std::string& file, Findings& findings) 
   }
   if (best != nullptr)
     findings.Add(
-        file, "",
+        model.file, "",
         fmt::format(
             "looks along {}, and must look along +Z with +Y up: turn it, or export it with these axes",
             best->name));

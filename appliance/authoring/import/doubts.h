@@ -9,10 +9,10 @@
 
 namespace kaori::import {
 
-// Faults of how the first head stands in its file: far more of its eyes is seen from another side than from where it should look to (it
+// Faults of how the first head stands in its file, which is `model`: far more of its eyes is seen from another side than from where it should look to (it
 // looks along another axis than +Z, as heads do that come with +Z up or turned about); or what was taken for one eyeball is
 // several (two heads in one file, or a head that looks aside).
-void CheckPose(const Heads& heads, const std::string& file, Findings& findings);
+void CheckPose(const Model& model, const Heads& heads, Findings& findings);
 
 // Nothing here keeps a head from being imported: an author at work wants to see how far it is.
 //

@@ -59,17 +59,26 @@ Offsets OffsetsOfCast(const face::Cast& cast, const face::Expression& expression
   return Difference(cast, weights, composer);
 }
 
+HeadShape AtRest(const face::Cast& cast) {
+  return {cast.faces.front().positions, cast.topology.triangles, cast.faces.front().eyes, {}, {}, {}};
+}
+
 // Blinks come by the weights of the lids and not by name, since a cast may shut its lids without an
 // expression.
 HeadShape ShapeOfCast(const face::Cast& cast) {
   face::Composer composer(cast);
-  HeadShape head{cast.faces.front().positions, cast.topology.triangles, cast.faces.front().eyes, {}, {}, {}};
+  HeadShape head = AtRest(cast);
   head.jaw = Named(cast, "jaw_open");
   head.blink = {Blink(cast, 0, composer), Blink(cast, 1, composer)};
   head.brow_up = {Named(cast, "brow_up_left"), Named(cast, "brow_up_right")};
   for (std::size_t side = 0; side < 2; ++side)
     head.lids[side] = MarksOf(cast.topology.lids[side], head.positions);
   return head;
+}
+
+std::optional<glm::vec3> LandmarkAt(const std::vector<Landmark>& marks, std::string_view name) {
+  const auto mark = std::ranges::find(marks, name, &Landmark::name);
+  return mark == marks.end() ? std::nullopt : std::optional(mark->at);
 }
 
 std::vector<float> Shares(const Offsets& offsets, std::size_t vertices) {

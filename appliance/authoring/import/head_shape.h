@@ -44,7 +44,9 @@ struct HeadShape {
   std::array<std::optional<LidMarks>, 2> lids{};
 };
 
-// The reference face of a cast, with the motions that its expressions of the names jaw_open, brow_up_left and
+// The reference face of a cast, of which no motion is known.
+HeadShape AtRest(const face::Cast& cast);
+// The same with the motions that its expressions of the names jaw_open, brow_up_left and
 // brow_up_right make on it, and its lids shut. A cast without one of those has no such motion. The composer
 // is run once for each motion.
 HeadShape ShapeOfCast(const face::Cast& cast);
@@ -68,5 +70,8 @@ struct Landmark {
 // is a vertex, or the middle between two. Slits are searched for by comparing all vertices that move with all
 // that do not, so the time grows with the square of their number.
 std::vector<Landmark> FindLandmarks(const HeadShape& head);
+
+// Where the landmark of that name is; none where the head lacks it.
+std::optional<glm::vec3> LandmarkAt(const std::vector<Landmark>& marks, std::string_view name);
 
 }  // namespace kaori::import

@@ -69,10 +69,8 @@ Head MakeHead(const Model& model, const Heads& heads, float eyes_z_m) {
   Head head;
   head.name = std::filesystem::path(model.file).stem().string();
   const std::array eyes{PartOf::kLeftEye, PartOf::kRightEye};
-  for (std::size_t side = 0; side < 2; ++side) {
+  for (std::size_t side = 0; side < 2; ++side)
     head.eyes[side] = FitBall(model, heads.parts, eyes[side]).value_or(face::EyeBall{});
-    head.is_one_eye[side] = IsOneBall(model, heads.parts, eyes[side], head.eyes[side]);
-  }
   const glm::vec3 middle = MiddleOfEyes(model, heads, head);
   head.shift = glm::vec3(0, 0, eyes_z_m) - middle;
   for (const Index v : heads.skin) head.positions.push_back(model.positions[v] + head.shift);
@@ -187,7 +185,7 @@ Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& fin
   HeadShape completed = ShapeOfHeads(heads);
   heads.found_by_form = CompleteByForm(heads.part, completed);
   KeepByForm(std::move(completed), heads);
-  CheckPose(heads, first.file, findings);
+  CheckPose(first, heads, findings);
   return heads;
 }
 

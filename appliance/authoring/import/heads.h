@@ -24,9 +24,6 @@ struct Head {
   std::vector<glm::vec3> positions;
   // Fitted to the eyeballs' vertices; radius 0 where the file has none.
   std::array<face::EyeBall, 2> eyes{};
-  // False where what was taken for an eyeball is several balls: two heads in a file, a head that looks aside, a
-  // pearl beside an eye.
-  std::array<bool, 2> is_one_eye{true, true};
   glm::vec3 shift{};  // What was added to the file's positions.
 };
 

@@ -131,10 +131,10 @@ class Importing {
   // lower lip does: the share of the jaw's motion in the lip's, 0..1.
   void MoveMouthWithJaw(Offsets& offsets) const {
     const HeadShape& head = head_;
-    const auto lip = std::ranges::find(landmarks_, "lower lip", &Landmark::name);
-    if (head.jaw.empty() || lip == landmarks_.end()) return;
-    const auto nearest = std::ranges::min_element(
-        head.positions, {}, [&](const glm::vec3& p) { return glm::distance(p, lip->at); });
+    const auto lip = LandmarkAt(landmarks_, "lower lip");
+    if (head.jaw.empty() || !lip) return;
+    const auto nearest = std::ranges::min_element(head.positions, {},
+                                                  [&](const glm::vec3& p) { return glm::distance(p, *lip); });
     const auto v = static_cast<std::size_t>(nearest - head.positions.begin());
     const glm::vec3 jaw = head.jaw[v];
     const float part =

@@ -80,16 +80,15 @@ std::vector<face::Line> WiresOf(const std::vector<Triangle>& triangles, const st
 // How much of a vertex's motion gives way to the lip operator: all by the lips, and all that goes with the
 // jaw. By the distance from the line between the corners, which is a good picture of a mouth from the front.
 // All zero where there is no mouth.
-std::vector<float> MouthShareOf(const HeadShape& head) {
+std::vector<float> MouthShareOf(const HeadShape& head, const std::vector<Landmark>& marks) {
   std::vector<float> share(head.positions.size(), 0.0F);
-  const std::vector<Landmark> marks = FindLandmarks(head);
-  const auto left = std::ranges::find(marks, "left mouth corner", &Landmark::name);
-  const auto right = std::ranges::find(marks, "right mouth corner", &Landmark::name);
-  if (left == marks.end() || right == marks.end()) return share;
+  const auto left = LandmarkAt(marks, "left mouth corner");
+  const auto right = LandmarkAt(marks, "right mouth corner");
+  if (!left || !right) return share;
   const std::vector<float> jaw = Shares(head.jaw, share.size());
-  const glm::vec3 along = left->at - right->at;
+  const glm::vec3 along = *left - *right;
   for (std::size_t v = 0; v < share.size(); ++v) {
-    const glm::vec3 from = head.positions[v] - right->at;
+    const glm::vec3 from = head.positions[v] - *right;
     const float t = glm::clamp(glm::dot(from, along) / glm::dot(along, along), 0.0F, 1.0F);
     const float near = 1 - glm::smoothstep(kLipsReach_m, kMouthReach_m, glm::distance(from, t * along));
     // What moves with less than a fifth of the jaw is cheek or neck.
@@ -100,7 +99,8 @@ std::vector<float> MouthShareOf(const HeadShape& head) {
 
 // The artist's texture coordinates serve twice: as they are for the texture, brought to the unit square for
 // the parameter space.
-face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index moving, const MeshGraph& graph) {
+face::Topology MakeTopology(const Heads& heads, std::vector<float> mouth_share, Index moving,
+                            const MeshGraph& graph) {
   face::Topology topology;
   topology.vertex_count = static_cast<Index>(heads.skin.size());
   topology.moving_count = moving;
@@ -109,7 +109,7 @@ face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index mov
   topology.triangles = heads.triangles;
   topology.wires = WiresOf(heads.triangles, graph.welds());
   topology.twin = mesh::Twins(graph.welds());
-  topology.mouth_share = MouthShareOf(head);
+  topology.mouth_share = std::move(mouth_share);
   topology.fine = MakeFineMesh(heads.triangles, graph.welds(), heads.uv);
   return topology;
 }
@@ -184,14 +184,13 @@ face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, 
   const PointChoice choice = ChoosePoints(graph, head, mobility_m, options);
   const face::SparseRows to_vertices = MakeSurfaceNet(graph, head.positions, heads.triangles, choice);
   face::Cast cast;
-  cast.topology = MakeTopology(heads, head, moving, graph);
+  const std::vector<Landmark> marks = FindLandmarks(head);
+  cast.topology = MakeTopology(heads, MouthShareOf(head, marks), moving, graph);
   cast.net = MakeNet(cast.topology, choice, to_vertices);
   for (const Head& one : heads.heads) cast.faces.push_back(MakeFace(one));
   cast.neck_pivot = kNeckPivot_m;
-  const std::vector<Landmark> marks = FindLandmarks(head);
   // The anchor is where lent teeth are scaled about; without a mouth it is the origin.
-  const auto lip = std::ranges::find(marks, "upper lip", &Landmark::name);
-  if (lip != marks.end()) cast.mouth_anchor = lip->at;
+  cast.mouth_anchor = LandmarkAt(marks, "upper lip").value_or(cast.mouth_anchor);
   return cast;
 }
 

@@ -78,12 +78,13 @@ std::string GiveSkin(const Model& model, const Heads& heads, const Lender& lende
     cast.textures = {PlainSkin(heads)};
     return remark;
   }
+  const SkinPainter painter(heads, lender.spots, *lender.show);
   // Faces that are like the same one share a texture.
   std::map<std::size_t, int> known;  // The texture of each of the show's faces.
   for (std::size_t i = 0; i < cast.faces.size(); ++i) {
     const std::size_t like = lender.like[i];
     const auto [texture, is_new] = known.try_emplace(like, static_cast<int>(cast.textures.size()));
-    if (is_new) cast.textures.push_back(PaintSkin(heads, lender.spots, *lender.show, like));
+    if (is_new) cast.textures.push_back(painter.Paint(like));
     const face::SurfaceLook& look = lender.show->faces[like].surface;
     cast.faces[i].surface = look;
     cast.faces[i].surface.texture = texture->second;

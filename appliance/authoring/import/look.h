@@ -16,7 +16,7 @@ namespace kaori::import {
 void ShadeFaces(const std::vector<PartOf>& part, face::Cast& cast);
 
 // Gives each head a skin: the artist's picture, where the first model has one that can be read; else one that
-// is painted like the face that the lender says (PaintSkin), or plain. Heads that are like one face share its
+// is painted like the face that the lender says (SkinPainter), or plain. Heads that are like one face share its
 // texture, and the way in which that face's surface answers light. Returns what to tell people; a picture
 // that cannot be read is no error, and its reason stands there.
 std::string GiveSkin(const Model& model, const Heads& heads, const Lender& lender, face::Cast& cast);

@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "appliance/authoring/import/raster.h"
+
 namespace kaori::import {
 namespace {
 
@@ -16,31 +18,15 @@ constexpr float kSkinHigh = 0.96F;
 constexpr glm::vec2 kTeethLow{0.02F, 0.972F}, kTongueLow{0.54F, 0.972F};
 constexpr glm::vec2 kPatch{0.44F, 0.02F};
 
-// Calls visit(cell) for each cell whose middle lies within a triangle of either winding.
+// Calls visit(cell) for each cell whose middle lies within a triangle of the heads' texture coordinates.
 template <class Visit>
-void ForCells(const std::array<glm::vec2, 3>& corners, Visit visit) {
-  // Barycentric shares by areas: negative where the cell's middle lies outside.
-  const auto cross = [](const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; };
-  const glm::vec2 a = corners[0], ab = corners[1] - a, ac = corners[2] - a;
-  const float area = cross(ab, ac);
-  if (area == 0) return;
-  // The triangle's box, within the texture: coordinates beyond 0..1 have no cells.
+void ForCellsWithin(const Heads& heads, const Triangle& t, Visit visit) {
   const float side = kCells;
-  const glm::ivec2 low =
-      glm::clamp(glm::ivec2(glm::min(a, glm::min(corners[1], corners[2])) * side), 0, kCells - 1);
-  const glm::ivec2 high =
-      glm::clamp(glm::ivec2(glm::max(a, glm::max(corners[1], corners[2])) * side), 0, kCells - 1);
-  for (int y = low.y; y <= high.y; ++y)
-    for (int x = low.x; x <= high.x; ++x) {
-      const glm::vec2 p = (glm::vec2(x, y) + 0.5F) / side - a;
-      const float b = cross(p, ac) / area, c = cross(ab, p) / area;
-      if (b >= 0 && c >= 0 && b + c <= 1)
-        visit(static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x));
-    }
-}
-
-std::array<glm::vec2, 3> CornersOf(const Heads& heads, const Triangle& t) {
-  return {heads.uv[t[0]], heads.uv[t[1]], heads.uv[t[2]]};
+  ForCells({heads.uv[t[0]] * side, heads.uv[t[1]] * side, heads.uv[t[2]] * side}, kCells,
+           [&](int x, int y, const glm::vec3& shares) {
+             if (std::min({shares.x, shares.y, shares.z}) >= 0)
+               visit(static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x));
+           });
 }
 
 }  // namespace
@@ -51,11 +37,11 @@ float MouthOverSkin(const Heads& heads) {
   std::vector<bool> is_skin(static_cast<std::size_t>(kCells) * kCells);
   for (const Triangle& t : heads.triangles)
     if (heads.part[t[0]] == PartOf::kSkin)
-      ForCells(CornersOf(heads, t), [&](std::size_t cell) { is_skin[cell] = true; });
+      ForCellsWithin(heads, t, [&](std::size_t cell) { is_skin[cell] = true; });
   std::size_t all = 0, over = 0;
   for (const Triangle& t : heads.triangles) {
     if (heads.part[t[0]] == PartOf::kSkin) continue;
-    ForCells(CornersOf(heads, t), [&](std::size_t cell) {
+    ForCellsWithin(heads, t, [&](std::size_t cell) {
       ++all;
       if (is_skin[cell]) ++over;
     });

@@ -1,8 +1,6 @@
 // Where teeth and tongue lie in the texture.
 #pragma once
 
-#include <string>
-
 #include "appliance/authoring/import/heads.h"
 
 namespace kaori::import {

@@ -73,11 +73,6 @@ struct Neck {
   float bottom_m = 0;  // The lowest height at which it goes all round.
 };
 
-std::optional<glm::vec3> Find(const std::vector<Landmark>& marks, const char* name) {
-  const auto mark = std::ranges::find(marks, name, &Landmark::name);
-  return mark == marks.end() ? std::nullopt : std::optional(mark->at);
-}
-
 // At the height of a collar that is cut askew, some rays pass below the skin.
 bool IsAllRound(const HeadShape& head, const glm::vec3& at) {
   for (int i = 0; i < kAround; ++i)
@@ -104,7 +99,7 @@ class Pairing {
   // Landmarks come first and are never left out; scalp and neck fill the gaps between them.
   std::vector<sculpt::Pull> Run() {
     for (const Landmark& mark : marks_from_)
-      if (const auto same = Find(marks_to_, mark.name.c_str())) Add(mark.at, *same);
+      if (const auto same = LandmarkAt(marks_to_, mark.name)) Add(mark.at, *same);
     if (pulls_.size() < kOutlineFewestLandmarks) return {};
     AddScalp();
     AddNeck();
@@ -139,8 +134,8 @@ class Pairing {
 
   // Three rings; what is below the shorter neck is left to the warp.
   void AddNeck() {
-    const auto chin_from = Find(marks_from_, "chin");
-    const auto chin_to = Find(marks_to_, "chin");
+    const auto chin_from = LandmarkAt(marks_from_, "chin");
+    const auto chin_to = LandmarkAt(marks_to_, "chin");
     if (!chin_from || !chin_to) return;
     const auto from = NeckOf(from_, *chin_from);
     const auto to = NeckOf(to_, *chin_to);

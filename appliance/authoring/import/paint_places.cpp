@@ -1,6 +1,7 @@
 #include "appliance/authoring/import/paint_places.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -9,11 +10,6 @@
 
 namespace kaori::import {
 namespace {
-
-// Of the show's first face, what a spot needs: nothing of it moves.
-HeadShape FirstFaceOf(const face::Cast& show) {
-  return {show.faces.front().positions, show.topology.triangles, show.faces.front().eyes, {}, {}, {}};
-}
 
 // Whether more than half of a spot lies on what can be seen from the front.
 bool IsSeen(const Spot& spot, const std::vector<bool>& seen) {
@@ -36,6 +32,19 @@ void SmoothPlaces(const MeshGraph& graph, std::vector<glm::vec2>& place) {
   for (std::size_t v = 0; v < place.size(); ++v) place[v] = glm::vec2(values[v]);
 }
 
+// The mean of the neighbours' places that are not wrong; none where all are.
+std::optional<glm::vec2> MeanAbout(const MeshGraph& graph, Index v, const std::vector<bool>& wrong,
+                                   const std::vector<glm::vec2>& place) {
+  glm::vec2 sum{};
+  float count = 0;
+  for (const Index other : graph.around(v)) {
+    if (wrong[other]) continue;
+    sum += place[other];
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
 }  // namespace
 
 // From the edge of what is wrong inwards, a ring of vertices a step.
@@ -45,7 +54,7 @@ void SettlePlaces(const Heads& heads, const std::vector<Spot>& spots, const face
   constexpr int kMostRings = 12;
   const HeadShape head = ShapeOfHeads(heads);
   const std::vector<bool> seen_here = SeenFromFront(head);
-  const std::vector<bool> seen_there = SeenFromFront(FirstFaceOf(show));
+  const std::vector<bool> seen_there = SeenFromFront(AtRest(show));
   const MeshGraph graph(head.positions, head.triangles);
   // Of copies across a seam of the texture the first alone is looked at, which the graph knows.
   std::vector<bool> wrong(spots.size());
@@ -56,16 +65,9 @@ void SettlePlaces(const Heads& heads, const std::vector<Spot>& spots, const face
     // What this step mends helps its neighbours in the next one only, so that the order of vertices does not matter.
     std::vector<Index> mended;
     for (Index v = 0; v < wrong.size(); ++v) {
-      if (!wrong[v]) continue;
-      glm::vec2 sum{};
-      float count = 0;
-      for (const Index other : graph.around(v)) {
-        if (wrong[other]) continue;
-        sum += place[other];
-        ++count;
-      }
-      if (count == 0) continue;
-      place[v] = sum / count;
+      const auto mean = wrong[v] ? MeanAbout(graph, v, wrong, place) : std::nullopt;
+      if (!mean) continue;
+      place[v] = *mean;
       mended.push_back(v);
     }
     for (const Index v : mended) wrong[v] = false;
@@ -82,13 +84,13 @@ std::vector<bool> InsideOfMouth(const HeadShape& head) {
   // Nostrils are farther from the lips than the first; a throat that goes on into a neck ends at the second.
   constexpr float kBehindLips_m = 0.010F, kFarthest_m = 0.09F;
   const std::vector<Landmark> marks = FindLandmarks(head);
-  const auto upper = std::ranges::find(marks, "upper lip", &Landmark::name);
-  const auto lower = std::ranges::find(marks, "lower lip", &Landmark::name);
-  if (upper == marks.end() || lower == marks.end()) return {};
+  const auto upper = LandmarkAt(marks, "upper lip");
+  const auto lower = LandmarkAt(marks, "lower lip");
+  if (!upper || !lower) return {};
   const std::vector<bool> seen = SeenFromFront(head);
   const MeshGraph graph(head.positions, head.triangles);
   const auto from_lips_m = [&](Index v) {
-    return std::min(glm::distance(head.positions[v], upper->at), glm::distance(head.positions[v], lower->at));
+    return std::min(glm::distance(head.positions[v], *upper), glm::distance(head.positions[v], *lower));
   };
   std::vector<bool> inside(head.positions.size());
   std::vector<Index> to_visit;

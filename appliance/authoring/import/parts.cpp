@@ -102,7 +102,7 @@ bool IsBall(const Model& model, const Piece& piece) {
 // In small letters; empty where no mesh holds the vertex.
 std::string MeshName(const Model& model, Index vertex) {
   for (const model::MeshRange& mesh : model.meshes) {
-    if (vertex < mesh.first || vertex >= mesh.first + mesh.count) continue;
+    if (!mesh.Holds(vertex)) continue;
     std::string name = mesh.name;
     std::ranges::transform(name, name.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -249,11 +249,11 @@ std::optional<face::EyeBall> FitBall(const Model& model, const std::vector<PartO
   return Ball(model, VerticesOf(parts, part));
 }
 
-bool IsOneBall(const Model& model, const std::vector<PartOf>& parts, PartOf part, const face::EyeBall& ball) {
+// A side without an eye is DoubtsAbout's business.
+bool IsOneBall(const Model& model, const std::vector<PartOf>& parts, PartOf part) {
   const std::vector<Index> vertices = VerticesOf(parts, part);
-  // A side without an eye is DoubtsAbout's business.
-  if (vertices.empty() || !(ball.radius_m > 0)) return true;
-  return ball.radius_m <= kLargestEye_m && Roughness(model, vertices, ball) < kSeveralBalls;
+  const auto ball = Ball(model, vertices);
+  return !ball || (ball->radius_m <= kLargestEye_m && Roughness(model, vertices, *ball) < kSeveralBalls);
 }
 
 }  // namespace kaori::import

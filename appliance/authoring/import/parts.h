@@ -31,8 +31,8 @@ std::vector<PartOf> FindParts(const Model& model, const MeshGraph& graph);
 // forward a little.
 std::optional<face::EyeBall> FitBall(const Model& model, const std::vector<PartOf>& parts, PartOf part);
 
-// Whether `ball`, which is FitBall's, is of an eye's size and its part's vertices lie on it: a cornea, an iris and a
-// white in one eye do, two eyes do not. True where there is none.
-bool IsOneBall(const Model& model, const std::vector<PartOf>& parts, PartOf part, const face::EyeBall& ball);
+// Whether a part's vertices lie on one ball of an eye's size: a cornea, an iris and a white in one eye do; two heads in
+// a file, a head that looks aside, or a pearl beside an eye do not. True where there is no ball.
+bool IsOneBall(const Model& model, const std::vector<PartOf>& parts, PartOf part);
 
 }  // namespace kaori::import

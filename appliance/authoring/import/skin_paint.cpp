@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "appliance/authoring/import/lid_paint.h"
 #include "appliance/authoring/import/paint_places.h"
+#include "appliance/authoring/import/raster.h"
 
 namespace kaori::import {
 namespace {
@@ -31,29 +31,15 @@ constexpr Colour kTeeth{232, 226, 212, 150};
 constexpr Colour kTongue{186, 92, 92, 120};
 
 // Calls paint(x, y, shares) for each pixel of a triangle of texture coordinates (v up), kMargin beyond its
-// edges; shares may be negative there. Rows run down.
+// edges; shares may be negative there. Rows run down; coordinates beyond 0..1 are not repeated.
 template <class Paint>
-// Barycentric shares at the middle of each pixel of the box.
 void ForPixels(const std::array<glm::vec2, 3>& uv, Paint paint) {
   const auto pixel = [](const glm::vec2& p) {
     return glm::vec2(p.x, 1 - p.y) * static_cast<float>(kSide_px);
   };
-  const glm::vec2 a = pixel(uv[0]);
-  const glm::vec2 ab = pixel(uv[1]) - a;
-  const glm::vec2 ac = pixel(uv[2]) - a;
-  const float area = ab.x * ac.y - ab.y * ac.x;
-  if (area == 0) return;
-  // One pixel more than the triangle's box, within the picture: coordinates beyond 0..1 are not repeated.
-  const glm::vec2 least = glm::clamp(glm::min(a, a + glm::min(ab, ac)) - 1.0F, 0.0F, kSide_px - 1.0F);
-  const glm::vec2 most = glm::clamp(glm::max(a, a + glm::max(ab, ac)) + 1.0F, 0.0F, kSide_px - 1.0F);
-  for (int y = static_cast<int>(least.y); y <= static_cast<int>(most.y); ++y)
-    for (int x = static_cast<int>(least.x); x <= static_cast<int>(most.x); ++x) {
-      const glm::vec2 p = glm::vec2(x, y) + 0.5F - a;
-      const float share_b = (p.x * ac.y - p.y * ac.x) / area;
-      const float share_c = (ab.x * p.y - ab.y * p.x) / area;
-      const glm::vec3 shares(1 - share_b - share_c, share_b, share_c);
-      if (std::min({shares.x, shares.y, shares.z}) > kMargin) paint(x, y, shares);
-    }
+  ForCells({pixel(uv[0]), pixel(uv[1]), pixel(uv[2])}, kSide_px, [&](int x, int y, const glm::vec3& shares) {
+    if (std::min({shares.x, shares.y, shares.z}) > kMargin) paint(x, y, shares);
+  });
 }
 
 // The nearest pixel, with v up; beyond the edges, the edge.
@@ -152,8 +138,7 @@ Colour GroundOf(const std::vector<Colour>& paints) {
 
 // Pixels at the triangles' margins are painted over by each that has them, which changes little where all
 // agree.
-void PaintLids(const Heads& heads, const Colour& ground, Painting& painting) {
-  const LidPaint lids(ShapeOfHeads(heads));
+void PaintLids(const Heads& heads, const LidPaint& lids, const Colour& ground, Painting& painting) {
   const LidColours colours{
       .skin = ground, .liner = {58, 36, 32, 40}, .rim = MixPaint(ground, {150, 84, 72, 90}, 0.6F)};
   const auto& at = heads.heads.front().positions;
@@ -169,9 +154,8 @@ void PaintLids(const Heads& heads, const Colour& ground, Painting& painting) {
 }
 
 // Softly from the lips on, since a lip turns inwards.
-void PaintInsideOfMouth(const Heads& heads, Painting& painting) {
+void PaintInsideOfMouth(const Heads& heads, const std::vector<bool>& inside, Painting& painting) {
   // Without known lips nothing is told apart, and the inside stays as it is.
-  const std::vector<bool> inside = InsideOfMouth(ShapeOfHeads(heads));
   if (inside.empty()) return;
   for (const Triangle& t : heads.triangles) {
     const glm::vec3 share(inside[t[0]], inside[t[1]], inside[t[2]]);
@@ -201,33 +185,35 @@ face::Texture PlainSkin(const Heads& heads) {
   return painting.Release();
 }
 
+// One for each skin vertex: where it lies on the show's texture, and how much of the paint counts there.
+SkinPainter::SkinPainter(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show)
+    : heads_(heads), show_(show), inside_(InsideOfMouth(ShapeOfHeads(heads))), lids_(ShapeOfHeads(heads)) {
+  for (const Spot& spot : spots) {
+    place_.push_back(spot.Of(show.topology.texture));
+    shown_.push_back(ShownAt(spot.Of(show.faces.front().positions)));
+    if (shown_.back() > 0.02F && shown_.back() < 0.4F) at_edge_.push_back(place_.back());
+  }
+  SettlePlaces(heads, spots, show, place_);
+}
+
 // The ground goes on first, in the colour that the show's paint has where it fades. A triangle that would be
 // copied from across a seam of the show's texture keeps the ground.
-face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
-                        std::size_t like) {
-  const face::Texture& source = show.textures[static_cast<std::size_t>(show.faces[like].surface.texture)];
-  std::vector<glm::vec2> place;
-  std::vector<float> shown;
+face::Texture SkinPainter::Paint(std::size_t like) const {
+  const face::Texture& source = show_.textures[static_cast<std::size_t>(show_.faces[like].surface.texture)];
   std::vector<Colour> at_edge;
-  // One for each skin vertex: where it lies on the show's texture, and how much of the paint counts there.
-  for (const Spot& spot : spots) {
-    place.push_back(spot.Of(show.topology.texture));
-    shown.push_back(ShownAt(spot.Of(show.faces.front().positions)));
-    if (shown.back() > 0.02F && shown.back() < 0.4F) at_edge.push_back(At(source, place.back()));
-  }
-  SettlePlaces(heads, spots, show, place);
+  for (const glm::vec2& place : at_edge_) at_edge.push_back(At(source, place));
   const Colour ground = GroundOf(at_edge);
   Painting painting(ground);
-  for (const Triangle& t : heads.triangles) {
-    if (heads.part[t[0]] != PartOf::kSkin) continue;
-    const auto from = Corners(t, [&](Index v) { return place[v]; });
+  for (const Triangle& t : heads_.triangles) {
+    if (heads_.part[t[0]] != PartOf::kSkin) continue;
+    const auto from = Corners(t, [&](Index v) { return place_[v]; });
     if (AreApart(from)) continue;
-    painting.Copy(Corners(t, [&](Index v) { return heads.uv[v]; }), from,
-                  {shown[t[0]], shown[t[1]], shown[t[2]]}, source);
+    painting.Copy(Corners(t, [&](Index v) { return heads_.uv[v]; }), from,
+                  {shown_[t[0]], shown_[t[1]], shown_[t[2]]}, source);
   }
-  PaintLids(heads, ground, painting);
-  PaintInsideOfMouth(heads, painting);
-  FillMouth(heads, painting);
+  PaintLids(heads_, lids_, ground, painting);
+  PaintInsideOfMouth(heads_, inside_, painting);
+  FillMouth(heads_, painting);
   return painting.Release();
 }
 

@@ -69,16 +69,14 @@ double PlaceArea(const Model& model, const Triangle& t) {
 
 // Of which meshes triangles are, where the file has several: the three that have most, ", 7 of "Body"" each.
 std::string InMeshes(const Model& model, const std::vector<Triangle>& triangles) {
+  // Of a file with one mesh its name tells nothing.
+  if (model.meshes.size() < 2) return {};
   std::vector<std::pair<std::size_t, std::string>> counts;
   for (const MeshRange& mesh : model.meshes) {
-    const auto is_here = [&](const Triangle& t) {
-      return t[0] >= mesh.first && t[0] < mesh.first + mesh.count;
-    };
+    const auto is_here = [&](const Triangle& t) { return mesh.Holds(t[0]); };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(triangles, is_here));
     if (count > 0) counts.emplace_back(count, mesh.name);
   }
-  // Of a file with one mesh its name tells nothing.
-  if (model.meshes.size() < 2) return {};
   std::ranges::stable_sort(counts, std::ranges::greater{}, &std::pair<std::size_t, std::string>::first);
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(counts.size(), 3); ++i)

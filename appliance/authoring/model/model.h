@@ -41,6 +41,8 @@ struct MeshRange {
   std::string name;
   Index first = 0;
   Index count = 0;
+
+  bool Holds(Index vertex) const { return vertex >= first && vertex < first + count; }
 };
 
 // All meshes of a file in one list of vertices. Metres, +Y up, +Z out of the face, +X to its left (the glTF

@@ -20,6 +20,9 @@ using face::Index;
 inline constexpr int kColumns = 26;
 inline constexpr int kRows = 36;
 
+// Rows of the neck, from its end; the row over them lies under the chin, where a neck begins.
+inline constexpr int kNeckRows = 5;
+
 // A rectangle of cells that is cut out of the grid and filled with rings: corners in grid lines. Its border
 // stays part of the grid.
 struct Block {

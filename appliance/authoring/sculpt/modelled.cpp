@@ -24,8 +24,6 @@ constexpr std::size_t kFewestOfBall = 8;
 constexpr double kOutOfRound = 0.15;
 // Skin before the lids' edges that lies deeper is pushed out: of a fold above the eye no more than that is taken.
 constexpr double kSkinOverBall_cm = 0.03;
-// As far as any file of a face may say.
-constexpr double kFarthestPart_cm = 60;
 
 constexpr std::array<const char*, 2> kSides{"left", "right"};
 
@@ -134,11 +132,11 @@ Result<ModelledHead> ReadModelledHead(const Cage& cage, const HalfShape& referen
   ModelledHead head{std::move(*position), {}};
   // A vertex that was dragged away by mistake would spoil bounds, shades and hair before anybody saw it.
   for (const glm::dvec3& p : head.position)
-    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthestPart_cm)
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_cm)
       return FailInput(fmt::format(
           "{}: a part of the head lies at {:.0f} {:.0f} {:.0f} cm; it must stay within {:.0f} cm of the "
           "place between the eyes",
-          model->file, p.x, p.y, p.z, kFarthestPart_cm));
+          model->file, p.x, p.y, p.z, kFarthest_cm));
   for (std::size_t side = 0; side < 2; ++side) {
     const auto ball = EyeOf(*model, side, recipe.lid_thickness);
     if (!ball) return tl::unexpected(ball.error());

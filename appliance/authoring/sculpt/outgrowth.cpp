@@ -19,7 +19,6 @@ constexpr std::array<double, kEarRings + 1> kHigh_cm{0, 0.16, 0.28, 0.36, 0.41, 
 // Rows of the neck, from its lower end; the row over them is where a neck begins under the jaw. Withdrawn,
 // they close the head from below as a flat dome: how wide each is, of the row over them, and how far the
 // middle hangs below it.
-constexpr int kNeckRows = 5;
 constexpr std::array<double, kNeckRows> kNeckWidth{0.01, 0.25, 0.50, 0.70, 0.87};
 constexpr double kDome_cm = 0.5;
 

@@ -16,6 +16,10 @@
 
 namespace kaori::sculpt {
 
+// No part of a head lies farther from the origin along any axis: room for giants and puppets. Beyond it a length was
+// meant in metres or in millimetres.
+inline constexpr double kFarthest_cm = 60;
+
 // Where some vertices of the grid are aimed before they are projected: rows of points, smooth in between. It
 // is written for the reference face.
 struct AimTable {

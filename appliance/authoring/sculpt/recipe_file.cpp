@@ -41,7 +41,6 @@ double Positive(toml::Section& section, std::string_view key) {
 
 // What a part of a head can measure, in centimetres, with room for giants and puppets. Outside of it a length
 // was meant in metres or in millimetres.
-constexpr double kFarthest_cm = 60;  // From the origin, along any axis.
 constexpr toml::Range kEyeRadius_cm{0.3, 10};
 constexpr toml::Range kLidHeight_cm{0.05, 10};
 constexpr toml::Range kMouthHalfWidth_cm{0.2, 15};
