@@ -45,7 +45,7 @@ fill_stick() {
     fail "a stick could not be made; see $LOGS/sticks.log"
 }
 
-# A small show of one scene, signed: pack_small_show FOLDER NAME
+# A small show of one scene, signed: pack_small_show FOLDER NAME FACE
 pack_small_show() {
   local show=$1/$2
   mkdir -p "$show"/{faces,looks}
@@ -53,10 +53,23 @@ pack_small_show() {
   cp appliance/shows/kaori/faces/{cast,kaori}.toml "$show/faces"
   cp appliance/shows/kaori/looks/kaori.toml "$show/looks"
   sed -i 's/^faces = .*/faces = ["kaori"]/' "$show/faces/cast.toml"
-  printf '%s\n' "name = \"$2\"" '[[scene]]' 'name = "opening"' 'face = "kaori"' 'expression = "smile"' 'style = "flat"' \
+  printf '%s\n' "name = \"$2\"" '[[scene]]' 'name = "opening"' "face = \"$3\"" 'expression = "smile"' 'style = "flat"' \
     'light = 1.0' 'backdrop = { kind = "gradient", top = "#8c6c5a", bottom = "#48342c" }' >"$show/show.toml"
+  [ "$3" = kaori ] || add_modelled_face "$show" "$3"
   $BIN/kaori-atelier pack "$show" "$show.kaori" --sign "$1/theatre" >"$LOGS/sticks.log" 2>&1 ||
     fail "the show of a stick could not be packed; see $LOGS/sticks.log"
+}
+
+# A head as it comes back from a modelling tool: that of the show, whose jaw somebody has made broader. add_modelled_face SHOW NAME
+add_modelled_face() {
+  local face=$1/faces/$2
+  $BIN/kaori-atelier export appliance/shows/kaori "$face.from.obj" --face narrator >"$LOGS/sticks.log" 2>&1 ||
+    fail "a face could not be exported; see $LOGS/sticks.log"
+  awk '/^o / { ball = /eye/ } /^v / && !ball { $2 *= 1 + 0.11 * exp(-(($3 + 0.085) / 0.035) ^ 2) } 1' "$face.from.obj" >"$face.obj"
+  rm "$face.from.obj"
+  printf 'shape = "modelled"\nmesh = "%s.obj"\n' "$2" >"$face.toml"
+  cp appliance/shows/kaori/looks/narrator.toml "$1/looks/$2.toml"
+  sed -i "s/^faces = .*/faces = [\"kaori\", \"$2\"]/" "$1/faces/cast.toml"
 }
 
 # An update of the box: the image's own system again, which its box takes. None of an image that trusts no key of ours.
@@ -70,8 +83,8 @@ make_update_stick() {
     fail "the stick with an update could not be made; see $LOGS/sticks.log"
 }
 
-# Four sticks: a show of a theatre that the box does not know, with its key, in a partition as sticks are sold; another
-# show with some bytes changed, on a stick without partitions; an empty one; and an update of the box.
+# Four sticks: a show of a theatre that the box does not know, with its key and a head from a modelling tool, in a
+# partition as sticks are sold; another show with some bytes changed, on a stick without partitions; an empty one; and an update of the box.
 make_sticks() {
   local folder
   say "making sticks"
@@ -79,8 +92,8 @@ make_sticks() {
   rm -f $STICKS/*.stick $STICKS/box.kaoriupdate
   folder=$(mktemp -d)
   $BIN/kaori-atelier keygen "$folder/theatre" >"$LOGS/sticks.log" 2>&1 || fail "a key could not be made; see $LOGS/sticks.log"
-  pack_small_show "$folder" evening
-  pack_small_show "$folder" matinee
+  pack_small_show "$folder" evening guest
+  pack_small_show "$folder" matinee kaori
   truncate -s 65M $STICKS/evening.stick
   truncate -s 64M $STICKS/damaged.stick
   # An entry of a partition table: FAT32 by its blocks (0c), from block 2048 on, 64 MiB.

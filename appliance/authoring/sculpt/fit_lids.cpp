@@ -5,7 +5,7 @@
 namespace kaori::sculpt {
 namespace {
 
-// How far ring 7 lies under the ball's surface.
+// How far ring 7 lies under the ball's surface at least.
 constexpr double kSunk_cm = 0.45;
 
 // Along the ray from the ball's centre.
@@ -13,11 +13,13 @@ glm::dvec3 AtRadius(const Ball& ball, glm::dvec3 p, double radius) {
   return ball.centre + glm::normalize(p - ball.centre) * radius;
 }
 
-// The edge and what lies behind it are set; skin is only pushed out.
+// The edge and the ring behind it are set; the skin before them is only pushed out, and the ring in the ball only in.
 void FitRing(const HalfTopology& half, const Ball& ball, int k, double radius, HalfShape& shape) {
   for (int j = 0; j < kEyeRim; ++j) {
     glm::dvec3& p = shape.position[half.At(Region::kEye, j, k)];
-    if (k >= kLidRing || glm::distance(p, ball.centre) < radius) p = AtRadius(ball, p, radius);
+    const double off = glm::distance(p, ball.centre) - radius;
+    const bool lies_well = k < kLidRing ? off >= 0 : k > kLidRing + 1 && off <= 0;
+    if (!lies_well) p = AtRadius(ball, p, radius);
   }
 }
 

@@ -17,9 +17,9 @@ struct Ball {
 // inside the ball.
 inline constexpr double kSkinOverLid_cm = 0.05;
 
-// The lid's edge (ring 5) goes to its thickness above the ball, the rings behind it onto and into the ball;
-// the rings before it are pushed out where they stand less than `skin_cm` over it. All along the ray from the ball's centre;
-// nothing may lie there.
+// The lid's edge (ring 5) goes to its thickness above the ball and ring 6 onto it; ring 7 is pushed into it where it
+// lies less deep, and the rings before the edge are pushed out where they stand less than `skin_cm` over it. All along the
+// ray from the ball's centre; nothing may lie there.
 void FitLids(const HalfTopology& half, const Ball& ball, double skin_cm, HalfShape& shape);
 
 }  // namespace kaori::sculpt

@@ -25,6 +25,9 @@ constexpr double kOutOfRound = 0.15;
 // Skin before the lids' edges that lies deeper is pushed out: of a fold above the eye no more than that is taken.
 constexpr double kSkinOverBall_cm = 0.03;
 
+constexpr double kThinnestLid_cm = 0.08;
+constexpr double kThickestLid_cm = 0.3;
+
 constexpr std::array<const char*, 2> kSides{"left", "right"};
 
 glm::dvec3 Centimetres(const glm::vec3& p_m) {
@@ -67,8 +70,8 @@ Result<std::vector<glm::dvec3>> SkinOf(const Cage& cage, const HalfShape& refere
   return position;
 }
 
-// What lies in the eye's tile, as a ball.
-Result<Ball> EyeOf(const model::Model& head, std::size_t side, double lid_thickness_cm) {
+// What lies in the eye's tile, as a ball without lids.
+Result<Ball> EyeOf(const model::Model& head, std::size_t side) {
   glm::dvec3 least(std::numeric_limits<double>::max());
   glm::dvec3 most = -least;
   std::size_t count = 0;
@@ -89,7 +92,20 @@ Result<Ball> EyeOf(const model::Model& head, std::size_t side, double lid_thickn
     return FailInput(fmt::format(
         "{}: the {} eyeball is {:.1f} x {:.1f} x {:.1f} cm; it must stay a ball: scale it on all axes alike",
         head.file, kSides[side], width.x, width.y, width.z));
-  return Ball{0.5 * (least + most), 0.5 * mean, lid_thickness_cm};
+  return Ball{0.5 * (least + most), 0.5 * mean};
+}
+
+// How far the edge of the lids stands over the ball, by the middle one of its vertices: no less and no more than lids do.
+double LidThickness(const Cage& cage, const std::vector<glm::dvec3>& skin, const Ball& ball,
+                    std::size_t side) {
+  const auto& vertices = side == 0 ? cage.left : cage.right;
+  std::array<double, kEyeRim> over_cm;
+  for (int j = 0; j < kEyeRim; ++j) {
+    const glm::dvec3& p = skin[vertices[cage.half.At(Region::kEye, j, kLidRing)]];
+    over_cm[static_cast<std::size_t>(j)] = glm::distance(p, ball.centre) - ball.radius;
+  }
+  std::ranges::nth_element(over_cm, over_cm.begin() + kEyeRim / 2);
+  return std::clamp(over_cm[kEyeRim / 2], kThinnestLid_cm, kThickestLid_cm);
 }
 
 glm::dvec3 Mirrored(const glm::dvec3& p) {
@@ -138,9 +154,11 @@ Result<ModelledHead> ReadModelledHead(const Cage& cage, const HalfShape& referen
           "place between the eyes",
           model->file, p.x, p.y, p.z, kFarthest_cm));
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto ball = EyeOf(*model, side, recipe.lid_thickness);
+    const auto ball = EyeOf(*model, side);
     if (!ball) return tl::unexpected(ball.error());
     head.eyes[side] = *ball;
+    head.eyes[side].lid_thickness =
+        recipe.lid_thickness.value_or(LidThickness(cage, head.position, *ball, side));
   }
   LayLids(cage, head);
   return head;

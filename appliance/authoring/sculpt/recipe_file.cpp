@@ -225,11 +225,11 @@ Modelled ReadModelled(toml::Section& file, const std::filesystem::path& folder) 
   file.AllowOnly({"shape", "mesh", "mouth_fit", "expression_gain", "eye"});
   const std::filesystem::path mesh = file.Text("mesh");
   if (mesh != mesh.filename()) file.Fault("mesh", "must be the name of a file beside this one");
-  Modelled modelled{.mesh = folder / mesh};
+  Modelled modelled{.mesh = folder / mesh, .lid_thickness = std::nullopt};
   if (file.Has("eye")) {
     toml::Section eye = file.Part("eye");
     eye.AllowOnly({"thickness"});
-    modelled.lid_thickness = eye.NumberOr("thickness", modelled.lid_thickness);
+    modelled.lid_thickness = eye.Number("thickness");
   }
   return modelled;
 }

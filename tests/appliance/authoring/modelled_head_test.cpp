@@ -72,13 +72,17 @@ std::string Exported() {
   return import::ObjOfFace(SculptedCast(), kRound);
 }
 
-// Of what can be seen: what lies behind the lids' edges is laid on anew.
-float FarthestApart_mm(const face::Face& a, const face::Face& b) {
+// But for the last ring behind the lids, which lies in the ball: it may come back deeper, and no less deep.
+float FarthestApart_mm(const face::Face& came_back, const face::Face& went_out) {
   const sculpt::Cage cage = sculpt::BuildCage();
   float most_m = 0;
-  for (face::Index v = 0; v < a.positions.size(); ++v)
-    if (cage.key(v).region != sculpt::Region::kEye || cage.key(v).b <= sculpt::kLidRing)
-      most_m = std::max(most_m, glm::distance(a.positions[v], b.positions[v]));
+  for (face::Index v = 0; v < came_back.positions.size(); ++v) {
+    const glm::vec3 &now = came_back.positions[v], &before = went_out.positions[v];
+    const bool in_ball = cage.key(v).region == sculpt::Region::kEye && cage.key(v).b > sculpt::kLidRing + 1;
+    const glm::vec3& ball = went_out.eyes[before.x > 0 ? 0 : 1].centre;
+    const float off_m = glm::distance(now, before);
+    if (!in_ball || glm::distance(now, ball) > glm::distance(before, ball)) most_m = std::max(most_m, off_m);
+  }
   return 1000 * most_m;
 }
 
@@ -91,6 +95,7 @@ TEST(ModelledHead, ThatNobodyChangedIsTheFaceThatWentOut) {
             0.5F);  // A carved fold over an eye may be deeper than a ball allows.
   for (std::size_t side = 0; side < 2; ++side) {
     EXPECT_NEAR(tom.eyes[side].radius_m, round.eyes[side].radius_m, 1e-5);
+    EXPECT_NEAR(tom.eyes[side].lid_thickness_m, round.eyes[side].lid_thickness_m, 1e-5);
     EXPECT_LT(glm::distance(tom.eyes[side].centre, round.eyes[side].centre), 1e-5);
   }
   EXPECT_THAT(face::FindFaults(cast), IsEmpty());
@@ -143,6 +148,21 @@ TEST(ModelledHead, ItsRecipeMovesTheTeethFromThere) {
   const face::Face tom =
       ShowWithTom(Exported(), "mesh = \"tom.obj\"\n[mouth_fit]\nteeth_offset = [0, 0.5, 0]\n").Tom();
   EXPECT_NEAR(tom.mouth.offset.y - ShowWithTom(Exported()).Tom().mouth.offset.y, 0.005F, 1e-6);
+}
+
+TEST(ModelledHead, ItsLidsAreAsThickAsItsRecipeSays) {
+  const face::Face tom = ShowWithTom(Exported(), "mesh = \"tom.obj\"\n[eye]\nthickness = 0.2\n").Tom();
+  EXPECT_NEAR(tom.eyes[0].lid_thickness_m, 0.002F, 1e-6);
+}
+
+// A ball that somebody has made larger is no reason for lids without an edge.
+TEST(ModelledHead, ItsLidsStandOverABallThatWasMadeLarger) {
+  const face::EyeBall round = SculptedCast().faces[kRound].eyes[0];
+  const face::Face tom = ShowWithTom(Moved(Exported(), [&](glm::vec3 p, const std::string& within) {
+                           return within == "eye_left" ? round.centre + (p - round.centre) * 1.1F : p;
+                         })).Tom();
+  EXPECT_NEAR(tom.eyes[0].radius_m, 1.1F * round.radius_m, 1e-5);
+  EXPECT_NEAR(tom.eyes[0].lid_thickness_m, 0.0008F, 1e-6);
 }
 
 // A tool may write vertices in any order, and all as one object.
