@@ -27,15 +27,15 @@ const Setup kWatched{
 struct Death {
   const char* name;
   const char* question;  // To the agent.
-  int times;             // For a release twice as many.
+  int times;             // For a release four times as many.
   Duration longest;      // Until the stage draws again.
 };
 
 // Killed: no destructor runs. Stopped: as an update does it. Frozen: the
 // watchdog of systemd must notice it.
 constexpr std::array kDeaths{
-    Death{"killed", "signal kaori-stage 9", 20, seconds(120)},
-    Death{"stopped", "start /usr/bin/systemctl restart kaori-stage.service", 10, seconds(180)},
+    Death{"killed", "signal kaori-stage 9", 8, seconds(120)},
+    Death{"stopped", "start /usr/bin/systemctl restart kaori-stage.service", 4, seconds(180)},
     Death{"frozen", "signal kaori-stage 19", 1, seconds(360)}};
 
 // A program that was started beside the questions is waited for.
@@ -89,7 +89,7 @@ Result<void> Held(Scene& scene) {
   if (!held) return tl::unexpected(held.error());
   int deaths = 0;
   for (const Death& death : kDeaths)
-    for (int n = 0; n < death.times * std::min(scene.effort, 2); ++n, ++deaths) {
+    for (int n = 0; n < death.times * std::min(scene.effort, 4); ++n, ++deaths) {
       if (auto ok = AwaitSomeFrames(scene); !ok) return ok;
       if (auto ok = WatchOneDeath(scene, death, *held); !ok) return ok;
     }
