@@ -38,7 +38,7 @@ Result<void> ChooseLine(Scene& scene, std::string_view line, std::string_view an
 
 // A show of its own, and its backup on a stick that was empty.
 Result<First> BackUp(Scene& scene) {
-  if (auto ok = BringKey(scene); !ok) return tl::unexpected(ok.error());
+  if (auto ok = BringKey(scene, "evening"); !ok) return tl::unexpected(ok.error());
   if (auto ok = ChooseLine(scene, "evening  ", "it is on the box and plays now", kLongestCopy); !ok)
     return tl::unexpected(ok.error());
   const auto show = ChosenId(scene);

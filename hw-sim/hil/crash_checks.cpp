@@ -153,7 +153,7 @@ Result<void> CrashTheStage(Scene& scene, int ends, const std::string& playing) {
 // The show of a stick, which is brought in and plays; its id.
 Result<std::string> BringEvening(Scene& scene) {
   scene.target.rig().gpio().Close(kStickKey);
-  auto ok = BringKey(scene);
+  auto ok = BringKey(scene, "evening");
   if (ok) ok = PressFor(scene, kOne, "evening: it ");
   if (ok) ok = WantStickSaid(scene, "it is on the box and plays now", std::chrono::minutes(20));
   auto id = ok ? ChosenId(scene) : Result<std::string>(tl::unexpected(ok.error()));

@@ -42,7 +42,7 @@ struct Bringing {
   const char* rate;
   const char* took_s;
 };
-constexpr Bringing kShow{"evening: it ", "it is on the box and plays now", "install_under_play_rate",
+constexpr Bringing kShow{"guest: it ", "it is on the box and plays now", "install_under_play_rate",
                          "install_s"};
 constexpr Bringing kUpdate{": it is being ", "it is on the box and waits", "face_rate_while_installing",
                            "update_under_play_s"};
@@ -81,7 +81,7 @@ Result<void> InstallUnderPlay(Scene& scene, const Bringing& what) {
 
 // The key of whoever signed it, then the show.
 Result<void> BringShow(Scene& scene) {
-  if (auto ok = BringKey(scene); !ok) return ok;
+  if (auto ok = BringKey(scene, "guest"); !ok) return ok;
   return InstallUnderPlay(scene, kShow);
 }
 
@@ -152,7 +152,7 @@ Result<std::string> BringBoth(Scene& scene) {
 // kept: memory, in which the stage is told of a choice, is gone with the power.
 Result<void> BringsAShow(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
-  if (!std::filesystem::exists(options.sticks + "/evening.stick"))
+  if (!std::filesystem::exists(options.sticks + "/guest.stick"))
     return scene.Skip("there are no sticks to plug in; --sticks names their folder");
   const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "brought.disk", "data");
   if (!disk) return tl::unexpected(disk.error());
@@ -178,9 +178,8 @@ Result<void> BringsAShow(Scene& scene) {
 Result<void> NothingIsReadWithoutTheKey(Scene& scene) {
   PlayStrategy box(scene.target);
   auto ok = box.Play(StickSetup(""));
-  if (ok) ok = Plug(scene, "evening.stick");
-  if (ok)
-    ok = WantFoundWrong(WantStickSaid(scene, "evening", seconds(60)), "a stick is read without the key");
+  if (ok) ok = Plug(scene, "guest.stick");
+  if (ok) ok = WantFoundWrong(WantStickSaid(scene, "guest", seconds(60)), "a stick is read without the key");
   if (ok) ok = WantDead(scene);
   static_cast<void>(scene.target.machine().PullUnauthorised());
   box.Off();

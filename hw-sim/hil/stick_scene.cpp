@@ -44,7 +44,7 @@ Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longes
 }
 
 // Write-protected: a stick of the bench is the same for each check.
-Result<void> Plug(Scene& scene, const char* stick) {
+Result<void> Plug(Scene& scene, const std::string& stick) {
   return scene.target.machine().PlugStick(scene.target.machine().options().sticks + "/" + stick, false);
 }
 
@@ -123,11 +123,11 @@ Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name) {
 }
 
 // The stick has a show and the key that signed it, in that order of the list; the show is refused until its key is there.
-Result<void> BringKey(Scene& scene) {
-  if (auto ok = Plug(scene, "evening.stick"); !ok) return ok;
-  if (auto ok = WantStickSaid(scene, "> 1. evening  ", kLongestReading); !ok) return ok;
+Result<void> BringKey(Scene& scene, const std::string& show) {
+  if (auto ok = Plug(scene, show + ".stick"); !ok) return ok;
+  if (auto ok = WantStickSaid(scene, "> 1. " + show + "  ", kLongestReading); !ok) return ok;
   if (auto ok = WantStickSaid(scene, "  2. key theatre  ", seconds(5)); !ok) return ok;
-  if (auto ok = PressFor(scene, kOne, "evening: this box "); !ok) return ok;
+  if (auto ok = PressFor(scene, kOne, show + ": this box "); !ok) return ok;
   return PressFor(scene, kTwo, "theatre: this key is on the box now");
 }
 

@@ -28,7 +28,7 @@ std::string TextInBox(Scene& scene, const std::string& question);
 Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest);
 
 // Plugs a stick of the options' folder in where the rig leaves a port free, as for unauthorised devices: one at a time.
-Result<void> Plug(Scene& scene, const char* stick);
+Result<void> Plug(Scene& scene, const std::string& stick);
 
 // Plugs a copy of the empty stick in, which can be written; gives its file.
 Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name);
@@ -49,8 +49,9 @@ Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words);
 // Nothing is said of the stick any more, and the kernel has let it go.
 Result<void> WantDead(Scene& scene);
 
-// Plugs the theatre's stick in, sees its show refused, and takes the key of whoever signed it: the image knows no key, so
-// that the way of a guest is tried, which has all the steps of the others and one more. The show's line is the first.
-Result<void> BringKey(Scene& scene);
+// Plugs the stick of a show in, sees the show refused, and takes the key of the theatre that signed it: the image knows no key, so
+// that the way of a guest is tried, which has all the steps of the others and one more. The show's line is the first. `show`:
+// evening, or guest, whose face came from a modelling tool.
+Result<void> BringKey(Scene& scene, const std::string& show);
 
 }  // namespace kaori::hil

@@ -83,8 +83,8 @@ make_update_stick() {
     fail "the stick with an update could not be made; see $LOGS/sticks.log"
 }
 
-# Four sticks: a show of a theatre that the box does not know, with its key and a head from a modelling tool, in a
-# partition as sticks are sold; another show with some bytes changed, on a stick without partitions; an empty one; and an update of the box.
+# Five sticks: a show of a theatre that the box does not know, with its key; the same of a show whose face came from a modelling tool, in
+# a partition as sticks are sold; another show with some bytes changed; an empty one; and an update of the box.
 make_sticks() {
   local folder
   say "making sticks"
@@ -92,16 +92,18 @@ make_sticks() {
   rm -f $STICKS/*.stick $STICKS/box.kaoriupdate
   folder=$(mktemp -d)
   $BIN/kaori-atelier keygen "$folder/theatre" >"$LOGS/sticks.log" 2>&1 || fail "a key could not be made; see $LOGS/sticks.log"
-  pack_small_show "$folder" evening guest
+  pack_small_show "$folder" evening kaori
+  pack_small_show "$folder" guest guest
   pack_small_show "$folder" matinee kaori
-  truncate -s 65M $STICKS/evening.stick
-  truncate -s 64M $STICKS/damaged.stick
-  # An entry of a partition table: FAT32 by its blocks (0c), from block 2048 on, 64 MiB.
-  printf '\0\0\0\0\x0c\0\0\0\0\x08\0\0\0\0\x02\0' | dd of=$STICKS/evening.stick bs=1 seek=446 conv=notrunc status=none
-  printf '\x55\xaa' | dd of=$STICKS/evening.stick bs=1 seek=510 conv=notrunc status=none
-  fill_stick 2048 $STICKS/evening.stick "$folder/evening.kaori" "$folder/theatre.pub"
   printf 'damaged' | dd of="$folder/matinee.kaori" bs=1 seek=$(($(stat -c %s "$folder/matinee.kaori") / 2)) conv=notrunc status=none
+  truncate -s 64M $STICKS/{evening,damaged}.stick
+  fill_stick 0 $STICKS/evening.stick "$folder/evening.kaori" "$folder/theatre.pub"
   fill_stick 0 $STICKS/damaged.stick "$folder/matinee.kaori"
+  truncate -s 65M $STICKS/guest.stick
+  # An entry of a partition table: FAT32 by its blocks (0c), from block 2048 on, 64 MiB.
+  printf '\0\0\0\0\x0c\0\0\0\0\x08\0\0\0\0\x02\0' | dd of=$STICKS/guest.stick bs=1 seek=446 conv=notrunc status=none
+  printf '\x55\xaa' | dd of=$STICKS/guest.stick bs=1 seek=510 conv=notrunc status=none
+  fill_stick 2048 $STICKS/guest.stick "$folder/guest.kaori" "$folder/theatre.pub"
   make_update_stick
   truncate -s 64M $STICKS/empty.stick
   mkfs.vfat -F 32 -n STICK $STICKS/empty.stick >"$LOGS/sticks.log" || fail "a stick could not be made; see $LOGS/sticks.log"
