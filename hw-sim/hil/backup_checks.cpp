@@ -112,10 +112,20 @@ auto WithKey(Scene& scene, const Work& work) {
 // By the clock of the machine, which is this computer's: its processor is emulated, so that a PC is faster.
 constexpr double kMostClone_minutes = 2;
 
+// A first start has work of its own, which goes on behind its face: shaders that are compiled, a copy of the box's own show. Nobody
+// clones a box meanwhile, and an emulated one would do both at half the pace.
+Result<void> AwaitEndOfFirstStart(Scene& scene) {
+  constexpr const char* kLastOfIt = "own /usr/bin/journalctl -b --no-pager -o cat -u kaori-keep";
+  const auto ended = [&] { return TextInBox(scene, kLastOfIt).find("Finished") != std::string::npos; };
+  if (scene.target.Until(ended, kLongestCopy)) return {};
+  return FailInput("the second box does not end its first start: no copy of its own show is kept");
+}
+
 // Counted is from the stick in the second box, which plays, to its face with the first one's show: reading and checking the backup, the
 // answer, and the restart. Not counted are the backup itself, which the first box has written before, and the first start of the second one.
 Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk, const First& first) {
   auto ok = box.Play(StickSetup(disk));
+  if (ok) ok = AwaitEndOfFirstStart(scene);
   const auto begun = std::chrono::steady_clock::now();
   const auto key = ok ? WithKey(scene, [&] { return Restore(scene, first); })
                       : Result<std::string>(tl::unexpected(ok.error()));
