@@ -127,15 +127,18 @@ Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk,
   auto ok = box.Play(StickSetup(disk));
   if (ok) ok = AwaitEndOfFirstStart(scene);
   const auto begun = std::chrono::steady_clock::now();
+  const auto took_s = [&] { return Seconds(std::chrono::steady_clock::now() - begun); };
+  auto& figures = scene.finding.figures;
   const auto key = ok ? WithKey(scene, [&] { return Restore(scene, first); })
                       : Result<std::string>(tl::unexpected(ok.error()));
   if (!key) ok = tl::unexpected(key.error());
+  figures["clone_restored_s"] = took_s();
   box.Off();
   if (ok) ok = box.Play(StickSetup(disk));
+  figures["clone_started_s"] = took_s();
   if (ok) ok = WantPlayed(scene, first.show);
-  const double took_minutes =
-      std::chrono::duration<double, std::ratio<60>>(std::chrono::steady_clock::now() - begun).count();
-  if (ok) scene.finding.figures["clone_minutes"] = took_minutes;
+  const double took_minutes = took_s() / 60;
+  if (ok) figures["clone_minutes"] = took_minutes;
   if (ok && took_minutes > kMostClone_minutes)
     ok = FailInput(fmt::format("a second box took {:.1f} minutes, and at most {} are wanted", took_minutes,
                                kMostClone_minutes));
