@@ -59,6 +59,9 @@ class BoxCopies {
   // To be called while busy(): the next piece, 1 MiB at most.
   Progress Step();
   bool busy() const { return writer_.has_value() || (restoration_ && !restoration_->ended()); }
+  // Of what is busy: a backup is made beside a show that plays; a restore ends with the box switched off, and nobody begins one
+  // during a show.
+  bool is_backup() const { return writer_.has_value(); }
   // Of the box, as a part of a file's name.
   std::string box() const { return places_.name(); }
   // Of what is on its way, or ended last: stands before what is said.

@@ -54,7 +54,7 @@ struct OfBox {
   BoxSettings* settings = nullptr;
   // Where visitors of the desk see the list and take lines of it.
   DeskLink* desk = nullptr;
-  // Whether a show, a backup or a restore may be copied on now, beside the face; null: always.
+  // Whether a show or a backup may be copied on now, beside the face; null: always.
   std::function<bool()> may_work{};
 };
 

@@ -229,9 +229,12 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   const auto support = [&](const fs::path& stick) {
     return WriteSupport(settings, *folder, &*board, sticks, stick);
   };
-  const auto trial = TrialBy(
-      settings, {.wanted = wanted, .may_work = kaori::board::PaceByBoardAt(settings.board), .user = *user});
-  kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), trial);
+  // The show of a restore is tried without a rest (InstallService::StepCopies).
+  const kaori::shows::TrialTerms terms{.wanted = wanted, .may_work = {}, .user = *user};
+  kaori::shows::BoxCopies copies(CopyPlacesOf(settings, sticks), TrialBy(settings, terms));
+  auto paced = terms;
+  paced.may_work = kaori::board::PaceByBoardAt(settings.board);
+  const auto trial = TrialBy(settings, paced);
   kaori::shows::BoxSettings box_settings({.data = fs::path(settings.shows).parent_path(),
                                           .screens = fs::path(settings.board).parent_path() / "screens"});
   auto desk = OpenDesk(settings);

@@ -23,11 +23,11 @@ void InstallService::AcceptCopy(const Choosable& taken) {
   Tell(progress.message, of_box_.copies->name(), progress.detail);
 }
 
-// As an installation they rest where they cost the face frames; the trial of a show that is in one rests by itself.
+// As an installation a backup rests where it costs the face frames. A restore does not: somebody sets up a box and waits for it.
 //
 // The differences stand below the answers, and the list is open for as long as one that has just come.
 void InstallService::StepCopies(Time now) {
-  if (!MayWork()) return;
+  if (of_box_.copies->is_backup() && !MayWork()) return;
   const Progress progress = of_box_.copies->Step();
   if (of_box_.copies->busy()) {
     if (said_ && said_->message != progress.message) Tell(progress.message, of_box_.copies->name());
