@@ -214,6 +214,8 @@ test('a cable that is pulled takes the device away, and back', async () => {
   await until('an unplugged box', async () => (await harness.state()).ports['dial-box'].plugged === false);
   await page.getByRole('button', {name: 'Plug in the dial box'}).click();
   await until('a box that is there', async () => (await harness.state()).ports['dial-box'].connected);
+  // The page takes no pointer for a device of which it has not heard yet that it is back.
+  await page.getByRole('button', {name: 'Unplug the dial box'}).waitFor();
   // What is turned before the drivers' first look at it is where it stands, and no turn.
   const stood = harness.heard('dial 4')?.[0];
   await until('a box that is heard', async () => {
