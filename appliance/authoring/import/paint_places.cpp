@@ -48,11 +48,10 @@ std::optional<glm::vec2> MeanAbout(const MeshGraph& graph, Index v, const std::v
 }  // namespace
 
 // From the edge of what is wrong inwards, a ring of vertices a step.
-void SettlePlaces(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
-                  std::vector<glm::vec2>& place) {
+void SettlePlaces(const Heads& heads, const HeadShape& head, const std::vector<Spot>& spots,
+                  const face::Cast& show, std::vector<glm::vec2>& place) {
   // More than a mouth has between its corner and the cheek: what is wrong farther in keeps its place.
   constexpr int kMostRings = 12;
-  const HeadShape head = ShapeOfHeads(heads);
   const std::vector<bool> seen_here = SeenFromFront(head);
   const std::vector<bool> seen_there = SeenFromFront(AtRest(show));
   const MeshGraph graph(head.positions, head.triangles);

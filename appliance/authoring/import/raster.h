@@ -11,7 +11,7 @@ namespace kaori::import {
 
 // Calls visit(x, y, shares) for each cell of a triangle's box and one cell about it, within a grid of `side` by `side`; corners
 // are in cells. `shares` are barycentric, of the cell's middle: one of them is negative where that lies outside, so that
-// the caller chooses how far a triangle reaches. A triangle without area, of either winding, has no cell.
+// the caller chooses how far a triangle reaches. Of either winding; a triangle without area has no cell.
 template <class Visit>
 void ForCells(const std::array<glm::vec2, 3>& corners, int side, Visit visit) {
   const glm::vec2 a = corners[0];

@@ -186,14 +186,15 @@ face::Texture PlainSkin(const Heads& heads) {
 }
 
 // One for each skin vertex: where it lies on the show's texture, and how much of the paint counts there.
-SkinPainter::SkinPainter(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show)
-    : heads_(heads), show_(show), inside_(InsideOfMouth(ShapeOfHeads(heads))), lids_(ShapeOfHeads(heads)) {
+SkinPainter::SkinPainter(const Heads& heads, const HeadShape& head, const std::vector<Spot>& spots,
+                         const face::Cast& show)
+    : heads_(heads), show_(show), inside_(InsideOfMouth(head)), lids_(head) {
   for (const Spot& spot : spots) {
     place_.push_back(spot.Of(show.topology.texture));
     shown_.push_back(ShownAt(spot.Of(show.faces.front().positions)));
     if (shown_.back() > 0.02F && shown_.back() < 0.4F) at_edge_.push_back(place_.back());
   }
-  SettlePlaces(heads, spots, show, place_);
+  SettlePlaces(heads, head, spots, show, place_);
 }
 
 // The ground goes on first, in the colour that the show's paint has where it fades. A triangle that would be

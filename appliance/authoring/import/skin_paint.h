@@ -20,7 +20,8 @@ class SkinPainter {
  public:
   // `spots`: one for each skin vertex, on the show's faces (Bridge::spots, in the order of the heads' vertices). Takes as
   // long as FindLandmarks.
-  SkinPainter(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show);
+  SkinPainter(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show)
+      : SkinPainter(heads, ShapeOfHeads(heads), spots, show) {}
 
   // As PlainSkin, with the paint of a face of the show where a face has its features: brows, lips and lids of that
   // face on these heads. Elsewhere the colour that the face has at its edge, so that the paint ends without a
@@ -29,6 +30,9 @@ class SkinPainter {
   face::Texture Paint(std::size_t like) const;
 
  private:
+  SkinPainter(const Heads& heads, const HeadShape& head, const std::vector<Spot>& spots,
+              const face::Cast& show);
+
   const Heads& heads_;
   const face::Cast& show_;
   // By skin vertex, on the show's texture, and how much of its paint counts there, 0..1.

@@ -96,12 +96,10 @@ Result<Ball> EyeOf(const model::Model& head, std::size_t side) {
 }
 
 // How far the edge of the lids stands over the ball, by the middle one of its vertices: no less and no more than lids do.
-double LidThickness(const Cage& cage, const std::vector<glm::dvec3>& skin, const Ball& ball,
-                    std::size_t side) {
-  const auto& vertices = side == 0 ? cage.left : cage.right;
+double LidThickness(const HalfTopology& half, const Ball& ball, const HalfShape& shape) {
   std::array<double, kEyeRim> over_cm;
   for (int j = 0; j < kEyeRim; ++j) {
-    const glm::dvec3& p = skin[vertices[cage.half.At(Region::kEye, j, kLidRing)]];
+    const glm::dvec3& p = shape.position[half.At(Region::kEye, j, kLidRing)];
     over_cm[static_cast<std::size_t>(j)] = glm::distance(p, ball.centre) - ball.radius;
   }
   std::ranges::nth_element(over_cm, over_cm.begin() + kEyeRim / 2);
@@ -120,12 +118,14 @@ HalfShape SideOf(const Cage& cage, const std::vector<glm::dvec3>& whole, std::si
   return half;
 }
 
-// Lids are fitted on each side as on a left half.
-void LayLids(const Cage& cage, ModelledHead& head) {
+// Lids are fitted on each side as on a left half. `thickness_cm`: of both, where it is known.
+void LayLids(const Cage& cage, std::optional<double> thickness_cm, ModelledHead& head) {
   for (std::size_t side = 0; side < 2; ++side) {
     HalfShape half = SideOf(cage, head.position, side);
     Ball ball = head.eyes[side];
     if (side == 1) ball.centre = Mirrored(ball.centre);
+    ball.lid_thickness = thickness_cm.value_or(LidThickness(cage.half, ball, half));
+    head.eyes[side].lid_thickness = ball.lid_thickness;
     // Of the half only the eye's rings are changed, none of which lies in the middle of the face.
     FitLids(cage.half, ball, kSkinOverBall_cm, half);
     for (Index h = 0; h < half.position.size(); ++h) {
@@ -157,10 +157,8 @@ Result<ModelledHead> ReadModelledHead(const Cage& cage, const HalfShape& referen
     const auto ball = EyeOf(*model, side);
     if (!ball) return tl::unexpected(ball.error());
     head.eyes[side] = *ball;
-    head.eyes[side].lid_thickness =
-        recipe.lid_thickness.value_or(LidThickness(cage, head.position, *ball, side));
   }
-  LayLids(cage, head);
+  LayLids(cage, recipe.lid_thickness, head);
   return head;
 }
 

@@ -160,7 +160,7 @@ struct Modelled {
   std::filesystem::path mesh;
   // Of both lids, as EyeRecipe::thickness: how far their margins stand over the balls that come with the mesh. Where
   // nothing is said, as far as they stand in the file.
-  std::optional<double> lid_thickness;
+  std::optional<double> lid_thickness{};
 };
 
 // One face's file, read. `file` is its path, for faults that are found later.

@@ -225,7 +225,7 @@ Modelled ReadModelled(toml::Section& file, const std::filesystem::path& folder) 
   file.AllowOnly({"shape", "mesh", "mouth_fit", "expression_gain", "eye"});
   const std::filesystem::path mesh = file.Text("mesh");
   if (mesh != mesh.filename()) file.Fault("mesh", "must be the name of a file beside this one");
-  Modelled modelled{.mesh = folder / mesh, .lid_thickness = std::nullopt};
+  Modelled modelled{.mesh = folder / mesh};
   if (file.Has("eye")) {
     toml::Section eye = file.Part("eye");
     eye.AllowOnly({"thickness"});

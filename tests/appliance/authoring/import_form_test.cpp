@@ -34,8 +34,8 @@ std::vector<std::pair<std::string, float>> Apart_mm(const Model& model) {
   const auto by_form = FindLandmarks(ShapeOfHeads(HeadsOf(WithoutShapes(model))));
   std::vector<std::pair<std::string, float>> apart;
   for (const Landmark& mark : by_motion) {
-    const auto same = std::ranges::find(by_form, mark.name, &Landmark::name);
-    apart.emplace_back(mark.name, same == by_form.end() ? -1 : 1000 * glm::distance(mark.at, same->at));
+    const auto same = LandmarkAt(by_form, mark.name);
+    apart.emplace_back(mark.name, same ? 1000 * glm::distance(mark.at, *same) : -1);
   }
   return apart;
 }
@@ -74,8 +74,7 @@ TEST(HeadWithoutMotions, OpensItsMouthByTheLowerLipAlone) {
   ASSERT_FALSE(head.jaw.empty());
   const auto marks = FindLandmarks(head);
   const auto moved = [&](std::string_view name) {
-    const auto mark = std::ranges::find(marks, name, &Landmark::name);
-    const auto at = std::ranges::find(head.positions, mark->at);
+    const auto at = std::ranges::find(head.positions, LandmarkAt(marks, name).value());
     return head.jaw[static_cast<std::size_t>(at - head.positions.begin())].y;
   };
   EXPECT_LT(moved("lower lip"), -0.012F);

@@ -185,10 +185,7 @@ TEST(ImportedHead, TellsWhatWasMappedAndWhatNot) {
 TEST(Landmarks, AreFoundOnTheShowsOwnHead) {
   const face::Cast& cast = DefaultShow().cast;
   const auto marks = FindLandmarks(ShapeOfCast(cast));
-  const auto at = [&](std::string_view name) {
-    const auto found = std::ranges::find(marks, name, &Landmark::name);
-    return found == marks.end() ? glm::vec3(9) : found->at;
-  };
+  const auto at = [&](std::string_view name) { return LandmarkAt(marks, name).value_or(glm::vec3(9)); };
   const face::LidRig& rig = cast.topology.lids[0];
   const auto margin = static_cast<std::size_t>(rig.margin_ring) * static_cast<std::size_t>(rig.columns);
   const auto& p = cast.faces[0].positions;

@@ -99,7 +99,7 @@ TEST(PaintPlaces, OfSkinThatIsSeenAreNoneOfTheInsideOfTheMouth) {
   spots[beside].corners = {within, within, within};
   std::vector<glm::vec2> place;
   for (const Spot& spot : spots) place.push_back(spot.Of(cast.topology.texture));
-  SettlePlaces(heads, spots, cast, place);
+  SettlePlaces(heads, ShapeOfHeads(heads), spots, cast, place);
   const glm::vec2 own = cast.topology.texture[beside];
   EXPECT_LT(glm::distance(place[beside], own), 0.3F * glm::distance(cast.topology.texture[within], own));
 }
