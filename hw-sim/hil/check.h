@@ -147,6 +147,8 @@ std::vector<Check> ChipChecks();
 // Serial dial boxes of 1993, and dials on GPIO lines.
 std::vector<Check> SerialBoxChecks();
 std::vector<Check> DialLineChecks();
+// Dials on lines of the machine's own GPIO controller, where it has one.
+std::vector<Check> MachineLineChecks();
 // Cables are pulled and plugged in any order.
 std::vector<Check> CableChecks();
 // The lip camera by our own driver.

@@ -108,15 +108,15 @@ Result<void> WantFoundWrong(const Result<void>& tried, const char* passed) {
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part :
-       {ScreenChecks(),    PlayChecks(),          InputChecks(),       SurfaceChecks(),  ChipChecks(),
-        SerialBoxChecks(), LatencyChecks(),       CameraChecks(),      LineChecks(),     SoundChecks(),
-        LibcameraChecks(), CableChecks(),         HangChecks(),        CrashChecks(),    ToolChecks(),
-        ReportChecks(),    AuthorisationChecks(), AloneChecks(),       UsbSoundChecks(), SpeedChecks(),
-        GadgetChecks(),    LoopChecks(),          DamagedDiskChecks(), DialLineChecks(), SamplingChecks(),
-        DisplayChecks(),   OutputChecks(),        LastFaceChecks(),    StormChecks(),    RecoveryChecks(),
-        PowerChecks(),     StickChecks(),         GivesWayChecks(),    BackupChecks(),   DeskChecks(),
-        DataChecks(),      DiskChecks(),          SecureBootChecks(),  StartChecks(),    UpdateChecks(),
-        BadUpdateChecks(), PowerCycleChecks(),    SpoiltShowChecks(),  MediumChecks()})
+       {ScreenChecks(),    PlayChecks(),        InputChecks(),         SurfaceChecks(),     ChipChecks(),
+        SerialBoxChecks(), MachineLineChecks(), LatencyChecks(),       CameraChecks(),      LineChecks(),
+        SoundChecks(),     LibcameraChecks(),   CableChecks(),         HangChecks(),        CrashChecks(),
+        ToolChecks(),      ReportChecks(),      AuthorisationChecks(), AloneChecks(),       UsbSoundChecks(),
+        SpeedChecks(),     GadgetChecks(),      LoopChecks(),          DamagedDiskChecks(), DialLineChecks(),
+        SamplingChecks(),  DisplayChecks(),     OutputChecks(),        LastFaceChecks(),    StormChecks(),
+        RecoveryChecks(),  PowerChecks(),       StickChecks(),         GivesWayChecks(),    BackupChecks(),
+        DeskChecks(),      DataChecks(),        DiskChecks(),          SecureBootChecks(),  StartChecks(),
+        UpdateChecks(),    BadUpdateChecks(),   PowerCycleChecks(),    SpoiltShowChecks(),  MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

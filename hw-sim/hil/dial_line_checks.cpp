@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include "hw-sim/devices/usb_serial.h"
-#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/dial_scene.h"
 #include "hw-sim/hil/held_device.h"
-#include "hw-sim/hil/paused_unit.h"
 
 namespace kaori::hil {
 namespace {
@@ -15,46 +14,7 @@ namespace {
 using std::chrono::seconds;
 using Kind = sim::SerialDialBox::Kind;
 
-// For machines that have little of a processor.
-constexpr Duration kDialAnswer = seconds(120), kLongestDial = seconds(90);
-constexpr const char* kInputOfTheBox = "kaori-input.service";
 constexpr const char* kAdapter = "pointer";  // The socket at which the adapter takes the pointer's place.
-
-Result<std::string> AskOfDials(Scene& scene, const std::string& question) {
-  return scene.target.agent().Ask(question, kDialAnswer);
-}
-
-// The box's input program with options of the check's own, in place of its unit, for a scope.
-class StartedInput {
- public:
-  // Errors of starting are seen where nothing arrives.
-  StartedInput(Scene& scene, const std::string& options)
-      : scene_(scene),
-        unit_(scene, kInputOfTheBox),
-        number_(AskOfDials(scene, "start /usr/bin/kaori-input --board /run/kaori/board " + options)
-                    .value_or("")) {}
-  ~StartedInput() { End(); }
-  StartedInput(const StartedInput&) = delete;
-  StartedInput& operator=(const StartedInput&) = delete;
-
-  // Ends it, and gives what it said. Once.
-  std::string End() {
-    const std::string number = std::exchange(number_, {});
-    return number.empty() ? std::string() : AskOfDials(scene_, "end " + number).value_or("");
-  }
-
- private:
-  Scene& scene_;
-  const PausedUnit unit_;
-  std::string number_;
-};
-
-// The board must come to be so. Errors: invalid_argument with `what`.
-Result<BoardView> WantBoard(Scene& scene, const std::function<bool(const BoardView&)>& right,
-                            const std::string& what) {
-  auto seen = scene.target.UntilBoard(right, kLongestDial, what);
-  return seen ? seen : Result<BoardView>(FailInput(fmt::format("{} was not seen", what)));
-}
 
 // "/dev/serial/by-path/...", which udev of the box makes: the name that its settings are to have.
 Result<std::string> SerialLine(Scene& scene) {
@@ -211,7 +171,7 @@ Result<void> PlayGpioDials(Scene& scene, bool crossed) {
 }
 
 Result<void> GpioDials(Scene& scene) {
-  if (!scene.target.agent().Ask("dials make", kDialAnswer)) return scene.Skip("this kernel has no gpio-sim");
+  if (!AskOfDials(scene, "dials make")) return scene.Skip("this kernel has no gpio-sim");
   return PlayGpioDials(scene, false);
 }
 

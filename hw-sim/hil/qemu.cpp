@@ -92,7 +92,7 @@ Result<void> QemuDriver::Start() {
       setup_.agent ? BenchCommandLine(shipped, BenchDisk(setup_)) + (setup_.bench_kernel ? kControllers : "")
                    : LoggedCommandLine(options_, shipped);
   std::error_code ignored;
-  for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp"})
+  for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp", LinesPath(options_)})
     std::filesystem::remove(old, ignored);  // Of the machine before.
   // QEMU opens a log that is there.
   for (const std::string& log : {setup_.write_log, setup_.variables_log})
@@ -111,6 +111,7 @@ Result<void> QemuDriver::Start() {
 void QemuDriver::Off() {
   // The lines to it first: they break with the process.
   screens_.clear();
+  lines_.reset();
   qmp_.reset();
   process_.reset();
   window_.reset();
@@ -169,6 +170,16 @@ Result<void> QemuDriver::PullUnauthorised() {
 Result<void> QemuDriver::PressPower() {
   if (!qmp_) return Fail(std::errc::no_such_device, "press the power button");
   return qmp_->Do("system_powerdown");
+}
+
+Result<void> QemuDriver::SetLine(int line, bool high) {
+  if (!qmp_) return Fail(std::errc::no_such_device, "set a line of the machine");
+  if (!lines_) {
+    auto lines = MachineLines::Open(LinesPath(options_), *qmp_, waiter_);
+    if (!lines) return tl::unexpected(lines.error());
+    lines_.emplace(std::move(*lines));
+  }
+  return lines_->Set(line, high);
 }
 
 std::string QemuDriver::log() const {

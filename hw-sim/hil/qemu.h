@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hw-sim/hil/machine_lines.h"
 #include "hw-sim/hil/process.h"
 #include "hw-sim/hil/protocols.h"
 #include "hw-sim/hil/qemu_command.h"
@@ -41,6 +42,9 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   Result<void> PullUnauthorised() override;
   // A short press of the machine's power button. Errors: as Qmp::Do; no_such_device, it is off.
   Result<void> PressPower();
+  // Sets the level of a line of the machine's own GPIO controller. Errors: as MachineLines; no_such_device, also
+  // where it is off or has no such controller.
+  Result<void> SetLine(int line, bool high);
 
   // The processors' time of QEMU since it was started; zero while it is off.
   Duration worked() const { return process_ ? process_->worked() : Duration{}; }
@@ -68,6 +72,8 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   std::optional<Process> process_;
   // Is there while the machine has power.
   std::optional<Qmp> qmp_;
+  // Called when a line is first set.
+  std::optional<MachineLines> lines_;
   // That were plugged in: each image has a name of its own in QEMU.
   int sticks_ = 0;
   // Those that can be plugged in and unplugged.

@@ -148,6 +148,13 @@ void AddUsb(const QemuOptions& options, const Setup& setup, std::vector<std::str
         {"-device", fmt::format("usb-storage,drive=stick,id=unauthorised,bus=xhci.0,port={}", kUsbPorts)});
 }
 
+// A PC has no lines. The protocol is one more server beside the machine, whose time and processors stay its own.
+void AddLines(const QemuOptions& options, std::vector<std::string>& command) {
+  if (IsPc(options)) return;
+  Add(command,
+      {"-qtest", fmt::format("unix:{},server=on,wait=off", LinesPath(options)), "-qtest-log", "none"});
+}
+
 // Intel's, as PCs have it, in a network of the machine and this computer alone (slirp): the box is 10.0.2.15 there.
 void AddNetworkCard(const Setup& setup, std::vector<std::string>& command) {
   if (setup.desk_port == 0) return;
@@ -188,6 +195,10 @@ std::string SoundPath(const QemuOptions& options) {
 
 std::string ScreenPath(const QemuOptions& options, int head) {
   return fmt::format("{}/screen{}.vnc", options.folder, head);
+}
+
+std::string LinesPath(const QemuOptions& options) {
+  return options.folder + "/lines";
 }
 
 std::string ConsolePath(const QemuOptions& options) {
@@ -262,6 +273,7 @@ std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& se
       {"-drive", fmt::format("file={},if=none,id=bench,format=raw,readonly=on", options.bench_disk)});
   Add(command, {"-device", "virtio-blk-pci,drive=bench"});  // BenchDisk says its name in the machine.
   Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
+  AddLines(options, command);
   AddUsb(options, setup, command);
   AddNetworkCard(setup, command);
   AddSound(options, setup, command);

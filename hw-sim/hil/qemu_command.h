@@ -76,6 +76,9 @@ std::string SoundPath(const QemuOptions& options);
 // Where QEMU's VNC server of that output listens, for VncScreen.
 std::string ScreenPath(const QemuOptions& options, int head);
 
+// Where QEMU's test protocol listens, for MachineLines; of a machine with an agent that is no PC.
+std::string LinesPath(const QemuOptions& options);
+
 // What a machine without an agent said on its serial line.
 std::string ConsolePath(const QemuOptions& options);
 

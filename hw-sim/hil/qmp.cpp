@@ -2,12 +2,14 @@
 
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace kaori::hil {
 namespace {
 
 constexpr Duration kQmpLongest = std::chrono::seconds(60);  // An emulated machine on a busy computer is slow.
+constexpr const char* kWhom = "QEMU";
 
 }  // namespace
 
@@ -16,40 +18,39 @@ Result<Qmp> Qmp::Call(const std::string& path, Waiter& waiter) {
   auto stream = Stream::Call(path, waiter, kQmpLongest);
   if (!stream) return tl::unexpected(stream.error());
   Qmp qmp(std::move(*stream), waiter);
-  if (auto greeting = qmp.NextLine(); !greeting) return tl::unexpected(greeting.error());
+  if (auto greeting = qmp.stream_.NextLine(waiter, kQmpLongest, kWhom); !greeting)
+    return tl::unexpected(greeting.error());
   // Before this command QEMU accepts no other.
   if (auto ok = qmp.Do("qmp_capabilities"); !ok) return tl::unexpected(ok.error());
   return qmp;
 }
 
-// Messages of QMP end with a newline and have none within. The line is returned without it.
-Result<std::string> Qmp::NextLine() {
-  bool there = true;
-  // An end that has gone also ends the wait; a line that came before is still read.
-  const auto whole = [&] {
-    there = stream_.Read();
-    return !there || stream_.waiting().find('\n') != std::string::npos;
-  };
-  if (!waiter_->Until(whole, kQmpLongest, stream_.pollable()))
-    return Fail(std::errc::timed_out, "hear from QEMU");
-  const std::size_t end = stream_.waiting().find('\n');
-  if (end == std::string::npos) return Fail(std::errc::no_such_device, "hear from QEMU");
-  std::string line = stream_.waiting().substr(0, end);
-  stream_.Drop(end + 1);
-  return line;
+Result<void> Qmp::Do(const std::string& command, json::Object arguments) {
+  const auto answer = Ask(command, std::move(arguments));
+  return answer ? Result<void>{} : tl::unexpected(answer.error());
+}
+
+// QEMU lists an object's properties, of which those with a type "child<...>" are objects themselves.
+Result<std::string> Qmp::ChildOfType(const std::string& path, const std::string& type) {
+  const auto answer = Ask("qom-list", {{"path", path}});
+  if (!answer) return answer;
+  const auto listed = nlohmann::json::parse(*answer, nullptr, false);
+  for (const auto& property : listed["return"])
+    if (property.value("type", "") == "child<" + type + ">") return path + '/' + property.value("name", "");
+  return Fail(std::errc::no_such_device, fmt::format("find a {} in the machine", type));
 }
 
 // One command at a time, so that answers need no number.
-Result<void> Qmp::Do(const std::string& command, json::Object arguments) {
+Result<std::string> Qmp::Ask(const std::string& command, json::Object arguments) {
   const json::Object asked{{"execute", command}, {"arguments", std::move(arguments)}};
-  if (auto ok = stream_.Say(json::Write(asked) + "\n"); !ok) return ok;
+  if (auto ok = stream_.Say(json::Write(asked) + "\n"); !ok) return tl::unexpected(ok.error());
   while (true) {  // Between command and answer events may come.
-    const auto line = NextLine();
-    if (!line) return tl::unexpected(line.error());
+    auto line = stream_.NextLine(*waiter_, kQmpLongest, kWhom);
+    if (!line) return line;
     // The parser is told not to throw: text that is no JSON gives a value that contains nothing.
     const auto answer = nlohmann::json::parse(*line, nullptr, false);
     // An event has neither, and is passed over. What is no JSON is as well.
-    if (answer.contains("return")) return {};
+    if (answer.contains("return")) return line;
     if (answer.contains("error"))
       return Fail(std::errc::invalid_argument, command + ": " + answer["error"].value("desc", "refused"));
   }

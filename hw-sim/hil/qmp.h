@@ -21,10 +21,14 @@ class Qmp {
   // Events that QEMU tells of meanwhile are read and dropped.
   Result<void> Do(const std::string& command, json::Object arguments = {});
 
+  // The path of the first child that is of that type, in QEMU's tree of objects ("/machine/unattached", "pl061"). Errors: as
+  // Do; no_such_device, there is none.
+  Result<std::string> ChildOfType(const std::string& path, const std::string& type);
+
  private:
   Qmp(Stream stream, Waiter& waiter) : stream_(std::move(stream)), waiter_(&waiter) {}
-  // The next line, without its end. Errors: timed_out, no_such_device.
-  Result<std::string> NextLine();
+  // As Do; gives the whole answer, an object of JSON whose "return" is what was asked for.
+  Result<std::string> Ask(const std::string& command, json::Object arguments);
 
   Stream stream_;
   Waiter* waiter_;

@@ -34,6 +34,21 @@ bool Stream::Read() {
   }
 }
 
+// An end that has gone also ends the wait; a line that came before is still read.
+Result<std::string> Stream::NextLine(Waiter& waiter, Duration longest, const std::string& whom) {
+  bool there = true;
+  const auto whole = [&] {
+    there = Read();
+    return !there || waiting_.find('\n') != std::string::npos;
+  };
+  if (!waiter.Until(whole, longest, pollable())) return Fail(std::errc::timed_out, "hear from " + whom);
+  const std::size_t end = waiting_.find('\n');
+  if (end == std::string::npos) return Fail(std::errc::no_such_device, "hear from " + whom);
+  std::string line = waiting_.substr(0, end);
+  Drop(end + 1);
+  return line;
+}
+
 // The socket does not block. What its buffer cannot hold counts as a machine that has gone, since nothing
 // reads there any more; MSG_NOSIGNAL makes an error of what would be SIGPIPE.
 Result<void> Stream::Say(std::string_view text) {

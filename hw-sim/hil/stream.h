@@ -26,6 +26,9 @@ class Stream {
   bool Read();
   // All bytes that came and were not dropped, oldest first; they grow until somebody drops them.
   const std::string& waiting() const { return waiting_; }
+  // The next line without its end, for which `longest` is waited at most. Errors: timed_out; no_such_device, once the
+  // other end has gone and all its lines were read; both say that nothing was heard from `whom`.
+  Result<std::string> NextLine(Waiter& waiter, Duration longest, const std::string& whom);
   // Removes what was used, from the beginning.
   void Drop(std::size_t bytes) { waiting_.erase(0, bytes); }
 

@@ -153,7 +153,7 @@ run_all_checks() {
 }
 
 # What an image for another processor is tried by: its start, play, kills, cables and lines, and the same disk by UEFI.
-readonly ARM64_CHECKS=face,stage-killed,play,dials,sticks,keys,camera,camera-pulled,lines,sound,pulled-box,replugs,crossed,input-killed,hung,kernel,uefi
+readonly ARM64_CHECKS=face,stage-killed,play,dials,sticks,keys,camera,camera-pulled,lines,machine-dials,sound,pulled-box,replugs,crossed,input-killed,hung,kernel,uefi
 
 # The image for 64-bit ARM in QEMU's machine virt, with the same simulated devices; figures for out/cross.json.
 test_arm64_on_the_bench() {

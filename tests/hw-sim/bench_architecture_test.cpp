@@ -17,6 +17,7 @@ TEST(QemuCommand, IsThatOfTheImageSProcessor) {
   EXPECT_EQ(loaded.front(), "qemu-system-aarch64");
   EXPECT_THAT(loaded, IsSupersetOf({"virt", "cortex-a72", "i/Image"}));
   EXPECT_THAT(loaded, Not(Contains("q35")));
+  EXPECT_THAT(loaded, Contains("unix:/f/lines,server=on,wait=off")) << "its GPIO lines can be set";
   const auto on_sata = QemuCommand(
       options, {.firmware = true, .watchdog_resets = true, .disk_bus = DiskBus::kSata}, "line", "d");
   EXPECT_THAT(on_sata, IsSupersetOf({"/usr/share/qemu-efi-aarch64/QEMU_EFI.fd", "ahci,id=ide", "i6300esb"}));
@@ -32,6 +33,7 @@ TEST(QemuCommand, OfAPcIsAsItWas) {
   EXPECT_THAT(command, IsSupersetOf({"q35", "Nehalem,+rdrand", "i/bzImage", "ICH9-LPC.noreboot=off",
                                      "ide-hd,drive=disk"}));
   EXPECT_THAT(command, Not(Contains("ahci,id=ide"))) << "the chip set has it";
+  EXPECT_THAT(command, Not(Contains("-qtest"))) << "it has no lines to set";
 }
 
 TEST(Architecture, IsNamedAsDebianNamesIt) {

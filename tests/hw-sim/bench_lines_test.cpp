@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw-sim/hil/machine_lines.h"
 #include "hw-sim/hil/qmp.h"
 #include "hw-sim/hil/serial_agent.h"
 #include "tests/hil/agent/serial_line.h"
@@ -130,6 +131,48 @@ TEST_F(Monitor, SaysWhatItRefuses) {
   const auto refused = qmp->Do("screendump");
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), ::testing::HasSubstr("screendump: no such head"));
+  EXPECT_EQ(refused.error().kind, ErrorKind::kSystem) << "no control has found anything wrong by it";
+}
+
+TEST_F(Monitor, FindsAPartOfTheMachineByItsType) {
+  auto qmp = Qmp::Call(machine_.path(), machine_);
+  ASSERT_TRUE(qmp);
+  answer_ =
+      R"({"return": [{"name": "realized", "type": "bool"}, {"name": "device[6]", "type": "child<pl061>"}]})";
+  EXPECT_EQ(qmp->ChildOfType("/machine/unattached", "pl061"), "/machine/unattached/device[6]");
+  EXPECT_EQ(qmp->ChildOfType("/machine/unattached", "pl06").error().cause, std::errc::no_such_device);
+}
+
+// QEMU's test protocol beside its monitor; what it says is the test's.
+class Lines : public Monitor {
+ protected:
+  Lines() {
+    answer_ = R"({"return": [{"name": "device[6]", "type": "child<pl061>"}]})";
+    auto qmp = Qmp::Call(machine_.path(), machine_);
+    if (qmp) lines_ = MachineLines::Open(protocol_.path(), *qmp, protocol_);
+    EXPECT_TRUE(lines_);
+  }
+  std::string says_ = "OK\n";
+  MachineEnd protocol_{[this](const std::string& line) {
+    told_ = line;
+    return says_;
+  }};
+  std::string told_;
+  Result<MachineLines> lines_ = FailInput("not called yet");
+};
+
+TEST_F(Lines, AreSetAtTheControllerThatTheMachineHas) {
+  EXPECT_TRUE(lines_->Set(4, true));
+  EXPECT_EQ(told_, "set_irq_in /machine/unattached/device[6] unnamed-gpio-in 4 1");
+  EXPECT_TRUE(lines_->Set(0, false));
+  EXPECT_EQ(told_, "set_irq_in /machine/unattached/device[6] unnamed-gpio-in 0 0");
+}
+
+TEST_F(Lines, SayWhatTheMachineRefuses) {
+  says_ = "FAIL Unknown device\n";
+  const auto refused = lines_->Set(9, true);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), ::testing::HasSubstr("FAIL Unknown device"));
   EXPECT_EQ(refused.error().kind, ErrorKind::kSystem) << "no control has found anything wrong by it";
 }
 

@@ -11,6 +11,7 @@
   boots_arm64         1: the image's disk starts by UEFI in QEMU's virt, and the face moves; 0: it does not
   face_arm64          1: the face is on the screen of a box whose kernel QEMU loads; 0: it is not
   first_face_arm64_s  from power to the first frames there, emulated
+  dial_edges_arm64    edges of dials on the machine's own GPIO controller there, each counted once
   checks_arm64        checks of the bench that passed on that image
   checks_arm64_failed
   image_no_llvm_mb    the image for a board with a driver of its own, compressed, without LLVM and without the kernel: the goal is 20
@@ -36,11 +37,11 @@ import layer
 # The least and the most of each; all programs are to be there.
 BOUNDS = {"programs_arm64": (1, math.inf), "tests_arm64": (1, math.inf), "tests_arm64_failed": (0, 0), "sdk_cases": (1, math.inf),
           "sdk_cases_failed": (0, 0), "recipe_errors": (0, 0), "boots_arm64": (1, 1), "face_arm64": (1, 1),
-          "first_face_arm64_s": (0, math.inf), "checks_arm64": (1, math.inf), "checks_arm64_failed": (0, 0),
+          "first_face_arm64_s": (0, math.inf), "dial_edges_arm64": (1, math.inf), "checks_arm64": (1, math.inf), "checks_arm64_failed": (0, 0),
           "image_no_llvm_mb": (0, math.inf)}
 GOALS = {"image_no_llvm_mb": 20}  # The most.
 # What measures a figure that is not of this run.
-RUNS = {**dict.fromkeys(("boots_arm64", "face_arm64", "first_face_arm64_s", "checks_arm64", "checks_arm64_failed"),
+RUNS = {**dict.fromkeys(("boots_arm64", "face_arm64", "first_face_arm64_s", "dial_edges_arm64", "checks_arm64", "checks_arm64_failed"),
                         "./box test --bench --arch arm64"), "image_no_llvm_mb": "./box image --board rpi4 --arch arm64"}
 AARCH64 = 183  # e_machine of an ELF file.
 
@@ -80,6 +81,7 @@ def of_the_bench(out):
         return None if passed is None or check not in passed else int(passed[check])
 
     return {"boots_arm64": verdict("uefi"), "face_arm64": verdict("face"), "first_face_arm64_s": measured.get("first_frames_s"),
+            "dial_edges_arm64": measured.get("pl061_edges"),
             "checks_arm64": None if passed is None else sum(passed.values()),
             "checks_arm64_failed": None if passed is None else len(passed) - sum(passed.values())}
 

@@ -16,7 +16,7 @@ CASES = """<testsuites><testsuite>
 
 ROOT = Path(__file__).resolve().parents[2]
 GOOD = {"programs_arm64": 25, "programs_all": 25, "tests_arm64": 900, "tests_arm64_failed": 0, "sdk_cases": 12, "sdk_cases_failed": 0,
-        "recipe_errors": 0, "boots_arm64": 1, "face_arm64": 1, "first_face_arm64_s": 31.2, "checks_arm64": 17, "checks_arm64_failed": 0,
+        "recipe_errors": 0, "boots_arm64": 1, "face_arm64": 1, "first_face_arm64_s": 31.2, "dial_edges_arm64": 19, "checks_arm64": 17, "checks_arm64_failed": 0,
         "image_no_llvm_mb": 20}
 
 
@@ -56,10 +56,10 @@ def main():
         assert cross_report.of_tests(out / "tests.xml") == {"tests_arm64": None, "tests_arm64_failed": None}
         (out / "bench-arm64").mkdir()
         (out / "bench-arm64/report.xml").write_text(CASES)
-        (out / "boot-arm64.json").write_text('{"first_frames_s": 21.5}')
+        (out / "boot-arm64.json").write_text('{"first_frames_s": 21.5, "pl061_edges": 19}')
         (out / "tests.xml").write_text('<testsuite tests="12" failures="0"/>')
         found = cross_report.of_the_bench(out)
-        assert (found["face_arm64"], found["boots_arm64"], found["first_face_arm64_s"]) == (1, 0, 21.5), found
+        assert (found["face_arm64"], found["boots_arm64"], found["first_face_arm64_s"], found["dial_edges_arm64"]) == (1, 0, 21.5, 19), found
         assert (found["checks_arm64"], found["checks_arm64_failed"]) == (1, 1), "a skipped check is neither"
         assert cross_report.of_boards(out) == {"image_no_llvm_mb": None, "image_no_llvm_parts_mb": None}
         (out / "image-rpi4.json").write_text('{"image_no_llvm_mb": 33.1, "compressed_parts_mb": {"show": 11.2}}')
