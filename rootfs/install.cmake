@@ -26,7 +26,7 @@ list(FILTER units EXCLUDE REGEX "kaori-(update|confirm|other|reset)\\.")  # They
 list(FILTER units EXCLUDE REGEX "kaori-desk\\.")  # It waits for the address that kaori-boot gives a box.
 install(FILES ${units} DESTINATION ${KAORI_UNIT_DIR})
 install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori-shows.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR}
-        PATTERN mend-data.service EXCLUDE PATTERN kaori-desk.path EXCLUDE PATTERN kaori-update.socket EXCLUDE PATTERN kaori-confirm.service EXCLUDE PATTERN kaori-other.path EXCLUDE PATTERN kaori-reset.service EXCLUDE)
+        PATTERN mend-data.service EXCLUDE PATTERN kaori-desk.path EXCLUDE PATTERN kaori-update.socket EXCLUDE PATTERN kaori-confirm.service EXCLUDE PATTERN kaori-other.path EXCLUDE PATTERN kaori-other.timer EXCLUDE PATTERN kaori-reset.service EXCLUDE)
 
 if(KAORI_BOX_SYSTEM)
   install(FILES ${overlay}/systemd/system/var-lib-kaori.mount ${overlay}/systemd/system/mend-data.service DESTINATION ${KAORI_UNIT_DIR})

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "hw-sim/devices/misleading_descriptors.h"
 #include "hw-sim/devices/unknown_device.h"
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/unknown_devices.h"
 #include "hw-sim/hil/unplugged_device.h"
 
 namespace kaori::hil {
@@ -87,68 +87,19 @@ Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
   return FailInput(fmt::format("{} {}", kind.name, wanted ? "was not authorised" : "was authorised"));
 }
 
-// A device that says it is what it is not, or something that a box has no role for.
-struct Unknown {
-  const char* name;
-  std::uint16_t vendor;
-  std::uint16_t product;
-  std::vector<sim::UsbInterface> interfaces;
-  bool wanted = false;  // The honest ones among them.
-  // In place of `interfaces` a whole configuration; empty: none.
-  sim::UsbBytes configuration{};
-};
-
-sim::UsbInterface Offers(std::uint8_t kind, std::uint8_t subclass, std::uint8_t protocol) {
-  return {.number = 0, .kind = kind, .subclass = subclass, .protocol = protocol};
-}
-
-// Class codes are those of usb.org's list.
-std::vector<Unknown> UnknownDevices() {
-  const auto storage = Offers(0x08, 0x06, 0x50), network = Offers(0x02, 0x06, 0x00),
-             data = Offers(0x0A, 0x00, 0x00), keyboard = Offers(0x03, 0x01, 0x01),
-             vendors = Offers(0xFF, 0xFF, 0xFF), sound = Offers(0x01, 0x01, 0x00);
-  return {{"a serial line by FTDI", 0x0403, 0x6001, {vendors}, true},
-          {"a serial line by CH340", 0x1A86, 0x7523, {Offers(0xFF, 0x01, 0x02)}, true},
-          {"a storage stick that calls itself FTDI", 0x0403, 0x6001, {storage}},
-          {"a storage stick beside a serial line by FTDI", 0x0403, 0x6010, {vendors, storage}},
-          {"a network adapter that calls itself CH340", 0x1A86, 0x7523, {network, data}},
-          {"a keyboard that calls itself Prolific and has storage", 0x067B, 0x2303, {keyboard, storage}},
-          {"a keyboard with storage", 0x1209, 0x0F01, {keyboard, storage}},
-          {"a keyboard with a network", 0x1209, 0x0F02, {keyboard, network, data}},
-          {"a sound card with storage", 0x0D8C, 0x0014, {sound, storage}},
-          {"a network adapter of Microsoft's kind", 0x0BDA, 0x8152, {Offers(0xE0, 0x01, 0x03), data}},
-          {"a telephone", 0x18D1, 0x4EE1, {Offers(0x06, 0x01, 0x01)}},
-          {"a modem", 0x12D1, 0x1506, {Offers(0x02, 0x02, 0x01), data}},
-          {"a Bluetooth adapter", 0x0A12, 0x0001, {Offers(0xE0, 0x01, 0x01)}},
-          {"a printer", 0x03F0, 0x0004, {Offers(0x07, 0x01, 0x02)}},
-          {"a smart card reader", 0x08E6, 0x3437, {Offers(0x0B, 0x00, 0x00)}},
-          {"firmware that wants to be written", 0x0483, 0xDF11, {Offers(0xFE, 0x01, 0x02)}},
-          {"a vendor's own kind by nobody known", 0x1234, 0x5678, {vendors}},
-          {"nothing at all", 0x1209, 0x0F03, {}},
-          {.name = "a mouse with storage behind a descriptor of two bytes",
-           .vendor = 0x1209,
-           .product = 0x0F04,
-           .interfaces = {},
-           .configuration = sim::StorageBehindAShortDescriptor()},
-          {.name = "a sound card of 80 kinds with storage behind them",
-           .vendor = 0x1209,
-           .product = 0x0F05,
-           .interfaces = {},
-           .configuration = sim::StorageBehindManySettings()},
-          {.name = "a mouse with storage at the very end",
-           .vendor = 0x1209,
-           .product = 0x0F06,
-           .interfaces = {},
-           .configuration = sim::StorageAtTheVeryEnd()}};
-}
-
 sim::UnknownDevice DeviceOf(const Unknown& unknown) {
   if (unknown.configuration.empty()) return {unknown.vendor, unknown.product, unknown.interfaces};
   return {unknown.vendor, unknown.product, unknown.configuration};
 }
 
-// Plugs it in where the pointer was, and unplugs it. Whether it was authorised.
-Result<bool> WasAuthorised(Scene& scene, const Unknown& unknown) {
+// How the box judged a device. `said` is what the status picture and the support file have of it; empty: nothing.
+struct Judgement {
+  bool authorised = false;
+  std::string said;
+};
+
+// Plugs it in where the pointer was, and unplugs it.
+Result<Judgement> JudgementOf(Scene& scene, const Unknown& unknown) {
   sim::UsbRig& rig = scene.target.rig();
   sim::UnknownDevice device = DeviceOf(unknown);
   const std::string number = fmt::format("{:04x}:{:04x}", unknown.vendor, unknown.product);
@@ -162,36 +113,44 @@ Result<bool> WasAuthorised(Scene& scene, const Unknown& unknown) {
                                            FindUsb(scene, number).value_or(UsbState{}).port),
                                kAuthorisationAnswer);
   const auto found = FindUsb(scene, number);
+  const auto said = scene.target.agent().Ask("read /run/kaori-usb/" + found.value_or(UsbState{}).port,
+                                             kAuthorisationAnswer);
   static_cast<void>(rig.Unplug("pointer"));
   const bool gone = scene.target.Until([&] { return !is_there(); }, kAuthorisationLongest);
   static_cast<void>(rig.Hold("pointer", nullptr));
   if (!seen || !found) return Fail(std::errc::timed_out, fmt::format("see {} in the machine", unknown.name));
   if (!gone) return Fail(std::errc::timed_out, fmt::format("see {} gone", unknown.name));
   if (!settled) return tl::unexpected(settled.error());
-  return found->authorised;
+  return Judgement{found->authorised, said.value_or("")};
 }
 
 // Devices that are treated as they should not be; `wrong` turns what is wanted round, for the control.
 Result<void> TryUnknownDevices(Scene& scene, bool wrong) {
-  std::string mistaken;
-  int tried = 0, let_in = 0;
+  std::string mistaken, untold;
+  int tried = 0, liars = 0, let_in = 0;
   {
     const UnpluggedDevice pointer(scene, "pointer");
+    const UnpluggedDevice bridge(scene, "gpio");  // One that takes its place is tried, too.
     for (const Unknown& unknown : UnknownDevices()) {
-      const auto authorised = WasAuthorised(scene, unknown);
-      if (!authorised) return tl::unexpected(authorised.error());
+      const auto judgement = JudgementOf(scene, unknown);
+      if (!judgement) return tl::unexpected(judgement.error());
       ++tried;
-      let_in += *authorised && !unknown.wanted ? 1 : 0;
-      if (*authorised != (unknown.wanted != wrong))
+      liars += unknown.wanted ? 0 : 1;
+      let_in += judgement->authorised && !unknown.wanted ? 1 : 0;
+      if (judgement->authorised != (unknown.wanted != wrong))
         mistaken += (mistaken.empty() ? "" : "; ") + std::string(unknown.name);
+      if (judgement->said.empty() != judgement->authorised)
+        untold += (untold.empty() ? "" : "; ") + std::string(unknown.name);
     }
   }
-  scene.finding.figures["usb_liars"] = tried;
+  scene.finding.figures["usb_liars"] = liars;
   scene.finding.figures["usb_liars_let_in"] = let_in;
   if (!mistaken.empty()) return FailInput("wrongly authorised, or wrongly not: " + mistaken);
+  if (!untold.empty())
+    return FailInput("nothing is said of what stays out, or something of what does not: " + untold);
   if (auto played = AwaitFrames(scene); !played) return played;
-  scene.finding.said =
-      fmt::format("{} unknown devices, 0 of them authorised wrongly; the box played on", tried);
+  scene.finding.said = fmt::format(
+      "{} unknown devices, {} of them liars, none of which was authorised; the box played on", tried, liars);
   return {};
 }
 

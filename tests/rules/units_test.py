@@ -148,6 +148,19 @@ class Waiting(unittest.TestCase):
         self.assertIsNotNone(given_up)
         self.assertLessEqual(int(given_up[1]), 30)
 
+    def test_whether_a_face_comes_is_looked_at_once_after_each_start(self):
+        timer, unit = ((UNITS / f"kaori-other.{kind}").read_text() for kind in ("timer", "service"))
+        self.assertEqual(seconds(value(timer, "OnActiveSec")), 180)
+        self.assertTrue((UNITS / "kaori.target.wants/kaori-other.timer").exists())
+        self.assertEqual(value(unit, "ExecCondition"), value(unit, "ExecStart").replace("-/usr/bin/kaori-update", "/usr/bin/kaori-update --look"))
+
+    def test_what_is_kept_lies_beside_the_root_whatever_a_stick_calls_its_own(self):
+        link = value((UNITS / "var-lib-kaori.mount").read_text(), "What")
+        rules = (ROOTFS / "overlay/usr/lib/udev/rules.d/70-kaori.rules").read_text()
+        made = re.search(r'^SUBSYSTEM=="block", TEST=="/run/kaori-profile/data-%k", SYMLINK\+="(.+)"$', rules, re.M)
+        self.assertEqual(link, "/dev/" + made[1])
+        self.assertIn('WriteSetting("data-" + g_data', (ROOT / "appliance/programs/boot/main.cpp").read_text())
+
     def test_a_path_unit_does_not_start_what_fails_without_end(self):
         for path in UNITS.glob("*.path"):
             text = (UNITS / f"{path.stem}.service").read_text()

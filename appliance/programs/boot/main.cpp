@@ -122,9 +122,11 @@ using kaori::boot::Report, kaori::boot::Trouble;
 // Nothing that is kept may bring devices, rights or programs with it.
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
 
-// The device of a data partition that cannot be mounted, for kaori-data; empty where it can be, or where
-// there is none.
-std::string g_ruined;
+// The data partition's name ("vda5"), by which udev makes the link that systemd mounts: another disk may have a partition of
+// the same number. Empty where there is none.
+std::string g_data;
+// Whether it cannot be mounted, for kaori-data.
+bool g_data_is_ruined = false;
 
 // ext4 keeps copies of its superblock. These are where it and its first copy lie, with blocks of 1 KiB and of
 // 4 KiB (ext4(5), sb=, in KiB).
@@ -139,7 +141,8 @@ bool MountData() {
   const auto partition = kaori::PartitionBesideRoot("/sys/class/block", "data");
   if (!partition)
     return Report("there is no data partition beside the root: nothing is kept", Trouble::kData), false;
-  const std::string device = "/dev/" + *partition;
+  g_data = *partition;
+  const std::string device = "/dev/" + g_data;
   const auto mounts = [&](const char* options) {
     return ::mount(device.c_str(), kData, "ext4", kPlainMount, options) == 0;
   };
@@ -151,7 +154,7 @@ bool MountData() {
            true;
   Report("the data partition " + device + " cannot be mounted: nothing is kept until the service key is on",
          Trouble::kData);
-  g_ruined = device;
+  g_data_is_ruined = true;
   return false;
 }
 
@@ -213,7 +216,8 @@ std::string ApplySettings() {
     Report(made.error().message());
   if (profile.network) JoinNetwork(*profile.network);
   WriteSetting("faults", kaori::boot::Reported());
-  if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
+  if (!g_data.empty()) WriteSetting("data-" + g_data, {});
+  if (g_data_is_ruined) WriteSetting("data_ruined", "/dev/" + g_data);
   return profile.box_name;
 }
 

@@ -90,6 +90,8 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
   if (kind == decode::DeviceKind::kOther)
     return Skip(port, kind,
                 Printable((*device)->identity().name) + ": the device is not one that the show uses");
+  if (kind == decode::DeviceKind::kKeyboard && !has_keyboards_)
+    return Skip(port, kind, "a keyboard is not used, since this box is a kiosk");
   Binding* binding = BindingFor(kind, port);
   if (binding == nullptr)
     return Skip(port, kind, "the slot for this kind of device is occupied; the device is a spare");

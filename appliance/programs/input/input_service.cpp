@@ -45,6 +45,7 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
       surface_(board, std::move(writers.surface), settings.counts_per_turn, 1 + kFurtherSurfaces),
       turns_(std::move(sources.turns)),
       lessons_(board, turns_, lines_),
+      has_keyboards_(sources.has_keyboards),
       midi_tap_(sources.midi),
       midi_(board, std::move(writers.midi), maps_),
       roles_(settings.stick_ports, PortsBefore(board)),

@@ -54,6 +54,8 @@ struct InputSources {
   std::uint32_t wired_lines = board::kEveryLine;
   // Where it is kept what one turn of a device's dials has; empty: nowhere.
   std::filesystem::path turns{};
+  // Nobody types in a kiosk: keyboards are left alone, whatever they told the kernel that they are.
+  bool has_keyboards = true;
 };
 
 // How many surfaces with a map may play beside the dial box.
@@ -164,6 +166,7 @@ class InputService {
   // latter borrow slots and lines: they stand between them in this order.
   LearntTurns turns_;
   TurnLessons lessons_;
+  const bool has_keyboards_;
   const ports::MidiTap* midi_tap_;
   MidiSection midi_;
   // The slots are made once and live as long as the service; devices come and go.

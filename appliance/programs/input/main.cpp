@@ -17,6 +17,7 @@
 #include "appliance/programs/input/line_roles.h"
 #include "appliance/programs/input/service_key.h"
 #include "drivers/base/event_loop.h"
+#include "drivers/base/folder.h"
 #include "drivers/base/log.h"
 #include "drivers/base/loop_watchdog.h"
 #include "drivers/base/number.h"
@@ -62,6 +63,7 @@ constexpr std::string_view kHelp =
   --box FILE       instead: a box's settings, of which these are a part; a mistake in them is logged, and
   --last-good FILE counts then, a copy of the last ones without a mistake
   --turns FILE     keeps how many counts one turn of a device's dials has, where learn mode was shown one
+  --kiosk FILE     keyboards are not used where there is such a file
   --key FILE       is made while the key switch, the line `service`, is on
 )";
 
@@ -69,8 +71,8 @@ constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file, box, last_good, turns, key, chip, lines, serial, surfaces, keys, midi, dials,
-      counts;
+  std::string links, file, box, last_good, turns, kiosk, key, chip, lines, serial, surfaces, keys, midi,
+      dials, counts;
   bool hidraw = false, usb = false;
 };
 
@@ -259,6 +261,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (lines) sources.lines = std::move(*lines);
   sources.wired_lines = WiredLines(settings);
   sources.turns = settings.turns;
+  sources.has_keyboards = settings.kiosk.empty() || !kaori::IsThere(settings.kiosk);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   sources.maps = ReadMaps(settings.surfaces, settings.keys);
   const auto midi_surfaces = MidiSurfacesOf(sources.maps);
@@ -292,7 +295,7 @@ int main(int argc, char** argv) {
   options.Text("--gpiochip", settings.chip).Text("--lines", settings.lines);
   options.Text("--counts-per-turn", settings.counts).Text("--settings", settings.file);
   options.Text("--box", settings.box).Text("--last-good", settings.last_good);
-  options.Text("--turns", settings.turns).Text("--key", settings.key);
+  options.Text("--turns", settings.turns).Text("--kiosk", settings.kiosk).Text("--key", settings.key);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());

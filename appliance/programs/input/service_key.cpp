@@ -41,6 +41,7 @@ ServiceKey::ServiceKey(std::filesystem::path file, Time now) : file_(std::move(f
 // Compared with what was told last, so that a key that stands costs no call of the system.
 void ServiceKey::Step(const board::Stamped<board::Lines>& lines, Time now) {
   if (file_.empty()) return;
+  SayStarted(now);
   if (is_unheard_) {
     const bool is_heard = lines.source == board::SourceState::kLive && lines.at >= began_;
     if (!is_heard && (!on_ || now < until_)) return;
@@ -56,6 +57,15 @@ void ServiceKey::Step(const board::Stamped<board::Lines>& lines, Time now) {
   if (on == on_) return;
   on_ = on;
   on ? Write({}) : Remove();
+}
+
+// Once a program: one that was started anew writes what is there already.
+void ServiceKey::SayStarted(Time now) {
+  if (has_started_ || now - began_ < kStart) return;
+  has_started_ = true;
+  if (auto made = WriteWholeFile(file_.parent_path() / "started", {}); !made)
+    LogWarning("a GPIO bridge that is plugged in late is taken for the box's own: {}",
+               made.error().message());
 }
 
 void ServiceKey::Write(const std::string& unheard_since) const {

@@ -63,13 +63,7 @@ std::vector<Choosable> BoxCopies::Answers() {
 }
 
 std::vector<std::string> BoxCopies::Differences() const {
-  if (!asks()) return {};
-  auto lines = restoration_->Differences();
-  if (lines.size() <= kMostDifferences) return lines;
-  const std::size_t more = lines.size() - kMostDifferences;
-  lines.resize(kMostDifferences);
-  lines.push_back("and " + std::to_string(more) + " more");
-  return lines;
+  return asks() ? restoration_->Differences(kMostDifferences) : std::vector<std::string>{};
 }
 
 // What was asked before is over: whoever takes something else has not agreed to it.

@@ -14,7 +14,6 @@
 #include "appliance/programs/shows/settings_line.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
-#include "drivers/base/utf8.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
@@ -22,14 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kIdDigitsShown = 8;
-
 std::string ContentOf(const fs::path& file) {
   return ReadFile(file, {.most_bytes = backup::kLargestFile_bytes}).value_or("");
-}
-
-std::string ShortId(const std::string& show) {
-  return show == store::kRootShow ? "the box's own one" : show.substr(0, kIdDigitsShown);
 }
 
 }  // namespace
@@ -236,13 +229,6 @@ Result<void> Restoration::MakePlan() {
   return {};
 }
 
-// Whose shows would play is agreed to by what the key is, and not by its file's name.
-std::string Restoration::FingerprintOf(const std::string& path) const {
-  if (!path.ends_with(".pub") || !IsThere(Staged(path))) return {};
-  const auto key = show::ReadPublicKey(Staged(path));
-  return key ? "  " + show::Fingerprint(*key) : "  no key";
-}
-
 // Only what differs is asked about: a backup of the box as it is needs no restart.
 void Restoration::Compare() {
   if (auto ok = KeepName(); !ok) return RefuseDisk(ok.error());
@@ -250,24 +236,6 @@ void Restoration::Compare() {
   if (plan_ == restore::Plan()) return Refuse(Message::kNothingDiffers);
   progress_.message = Message::kAskChange;
   stage_ = Stage::kAsks;
-}
-
-// The show first, which everybody sees, then what is lost or changed, then what comes.
-std::vector<std::string> Restoration::Differences() const {
-  std::vector<std::string> lines;
-  if (!plan_.show.empty())
-    lines.push_back("show " + ShortId(plan_.show) + " in place of " +
-                    ShortId(store::ReadChoice(terms_.data / "shows").current));
-  else if (!plan_.put.empty() && plan_.put.back() == pack_)
-    lines.push_back("show " + ShortId(reader_->contents().show) + " anew");
-  const auto add = [&](const char* word, const std::vector<std::string>& paths) {
-    for (const std::string& path : paths)
-      lines.push_back(fmt::format("{:8}{}{}", word, utf8::Printable(path, 60), FingerprintOf(path)));
-  };
-  add("changed", changed_);
-  add("gone", plan_.removed);
-  add("new", fresh_);
-  return lines;
 }
 
 // The plan last, when all that it names is there. LetWait brings both onto the disk before the name counts.

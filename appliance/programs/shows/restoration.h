@@ -3,6 +3,7 @@
 // then nothing of the box is changed.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -45,8 +46,10 @@ class Restoration final : private backup::Sink {
   bool ended() const { return stage_ == Stage::kEnded || stage_ == Stage::kAsks; }
   const Progress& progress() const { return progress_; }
 
-  // While it asks: one line for each thing that would change, "new own/03-smile.toml". Most important first.
-  std::vector<std::string> Differences() const;
+  // While it asks: one line for each thing that would change, "new own/03-smile.toml". Most important first: the show, keys with
+  // their fingerprints, each setting, and files. `most` lines and one more, which says how many are left out. Blocks for
+  // the disk.
+  std::vector<std::string> Differences(std::size_t most = SIZE_MAX) const;
   // Somebody has seen them and agrees. kRestoreWaits, or a refusal.
   const Progress& Confirm();
 
@@ -71,8 +74,9 @@ class Restoration final : private backup::Sink {
   std::optional<Message> CheckSigner() const;
   // Puts the box's own name in place of the one in the settings that were brought.
   Result<void> KeepName();
-  // Of a key that the backup brings, behind its path; empty for all else.
+  // Of a key that the backup brings, behind its path; empty for one that it has not.
   std::string FingerprintOf(const std::string& path) const;
+  std::vector<std::string> DifferencesOfSettings() const;
   Result<void> MakePlan();
   // Makes it the restore that waits.
   Result<void> Commit();

@@ -100,6 +100,9 @@ const Progress& Installation::Step() {
     case Stage::kBegin:
       Begin();
       break;
+    case Stage::kUnpack:
+      UnpackKernelPiece();
+      break;
     case Stage::kWrite:
       WritePiece();
       break;
@@ -176,7 +179,8 @@ void Installation::BeginPart() {
   sum_ = show::Checksummer();
   unpacker_ = Unpacker();
   packed_ = {};
-  stage_ = Stage::kWrite;
+  kernel_.clear();
+  stage_ = IsKernel() ? Stage::kUnpack : Stage::kWrite;
 }
 
 bool Installation::RefillPacked() {
@@ -208,12 +212,41 @@ std::optional<std::size_t> Installation::UnpackPiece(std::span<std::uint8_t> pie
   return filled;
 }
 
-void Installation::WritePiece() {
-  std::vector<std::uint8_t> piece(
-      static_cast<std::size_t>(std::min<std::uint64_t>(part().bytes - written_bytes_, kPiece_bytes)));
+void Installation::UnpackKernelPiece() {
+  const std::size_t there = kernel_.size();
+  kernel_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(part().bytes, there + kPiece_bytes)));
+  const auto piece = std::span(kernel_).subspan(there);
   const auto filled = UnpackPiece(piece);
   if (!filled) return;
   if (*filled < piece.size()) return Refuse(Message::kPulled, "it became shorter while it was read");
+  sum_.Add(piece);
+  if (kernel_.size() < part().bytes) return;
+  if (sum_.Finish() != part().checksum) return Refuse(Message::kPulled, "it is another one than before");
+  sum_ = show::Checksummer();
+  stage_ = Stage::kWrite;
+}
+
+std::optional<std::vector<std::uint8_t>> Installation::NextPiece() {
+  const auto bytes =
+      static_cast<std::size_t>(std::min<std::uint64_t>(part().bytes - written_bytes_, kPiece_bytes));
+  if (IsKernel()) {
+    const auto from = kernel_.begin() + static_cast<std::ptrdiff_t>(written_bytes_);
+    return std::vector<std::uint8_t>(from, from + static_cast<std::ptrdiff_t>(bytes));
+  }
+  std::vector<std::uint8_t> piece(bytes);
+  const auto filled = UnpackPiece(piece);
+  if (!filled) return std::nullopt;
+  if (*filled == piece.size()) return piece;
+  Refuse(Message::kPulled, "it became shorter while it was read");
+  return std::nullopt;
+}
+
+// The sum of the kernel fits already; that of the others is known at their end, and until a kernel with their root's hash
+// is there nothing starts them.
+void Installation::WritePiece() {
+  const auto next = NextPiece();
+  if (!next) return;
+  const std::vector<std::uint8_t>& piece = *next;
   if (auto ok = area().device->Write(area().at + written_bytes_, piece); !ok) return RefuseDisk(ok.error());
   sum_.Add(piece);
   written_bytes_ += piece.size();

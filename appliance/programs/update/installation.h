@@ -90,10 +90,12 @@ class Installation {
   //   kHeader    signature, trust, product, versions and lengths; nothing else of the file is read before
   //   kRead      all of the payload, for its checksum; still nothing was written
   //   kBegin     what waited in the slot before is forgotten: from here on it is half written
-  //   kWrite     a part is unpacked into its place, and flushed at its end
+  //   kUnpack    of the kernel alone: all of it is unpacked into memory, since a file that is another one at its second
+  //              reading is found by the checksum at the end, and a foreign kernel on the disk would start
+  //   kWrite     a part is unpacked into its place, or the kernel put there, and flushed at its end
   //   kReadBack  the disk gives the part's checksum, or the update is refused
   //   kNote      the note that it waits is the last thing that is written
-  enum class Stage : std::uint8_t { kHeader, kRead, kBegin, kWrite, kReadBack, kNote, kEnded };
+  enum class Stage : std::uint8_t { kHeader, kRead, kBegin, kUnpack, kWrite, kReadBack, kNote, kEnded };
   // A part of the update and the place where it goes.
   struct Area {
     Part part;
@@ -106,14 +108,18 @@ class Installation {
   void AcceptHeader();
   void ReadPiece();
   void Begin();
+  void UnpackKernelPiece();
   void WritePiece();
   void ReadPieceBack();
   void Note();
   // Unpacks into `piece` as much as is to come of the part, and gives how much; nothing where it refused.
   std::optional<std::size_t> UnpackPiece(std::span<std::uint8_t> piece);
+  // The next piece of what is written, from the source or from memory; nothing where it refused.
+  std::optional<std::vector<std::uint8_t>> NextPiece();
   // Of the part that is written, where its packed bytes were used up.
   bool RefillPacked();
   void BeginPart();
+  bool IsKernel() const { return area_ + 1 == areas_.size(); }
   // Ends it. Where a part of the other slot was written, nothing says that an update waits there.
   void Refuse(Message message, std::string detail = {});
   void RefuseDisk(const Error& error);
@@ -138,6 +144,8 @@ class Installation {
   std::size_t area_ = 0;
   std::uint64_t written_bytes_ = 0;
   Unpacker unpacker_;
+  // As far as it was unpacked; its checksum fits once all of it is there.
+  std::vector<std::uint8_t> kernel_;
   // Read from the source and not unpacked yet: packed_ is what is left of it.
   std::vector<std::uint8_t> buffer_;
   std::span<const std::uint8_t> packed_;

@@ -110,6 +110,11 @@ std::string ProgramsFault(std::string_view shown, std::size_t units) {
   return seen == units ? "" : "it is not known which programs run";
 }
 
+bool EndsAgainAndAgain(std::string_view shown) {
+  constexpr int kTwice = 2;
+  return ParseNumber<int>(ValueOf(shown, "NRestarts=")).value_or(0) >= kTwice;
+}
+
 std::string DiskFault(std::string_view kernel_log) {
   const std::size_t at = kernel_log.find(" is corrupted");
   if (at == kernel_log.npos) return {};

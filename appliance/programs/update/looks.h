@@ -18,6 +18,9 @@ std::string PictureFault(std::string_view shown, const std::vector<std::string_v
 // What `systemctl show --property=Id,ActiveState,NRestarts` says: each unit has to run, and none was started anew.
 std::string ProgramsFault(std::string_view shown, std::size_t units);
 
+// What `systemctl show --property=NRestarts` says of one unit: whether it was started anew twice or more.
+bool EndsAgainAndAgain(std::string_view shown);
+
 // The kernel's log: dm-verity names each block that is not what the root's hash says.
 std::string DiskFault(std::string_view kernel_log);
 

@@ -14,6 +14,7 @@
 #include "appliance/core/update/caller.h"
 #include "appliance/programs/update/looking.h"
 #include "appliance/programs/update/looks.h"
+#include "appliance/programs/update/other_fault.h"
 #include "appliance/programs/update/restart.h"
 #include "appliance/programs/update/running.h"
 #include "appliance/programs/update/service.h"
@@ -54,7 +55,9 @@ constexpr std::string_view kHelp = R"(kaori-update: brings updates into the disk
   --board FILE       the board, by which an update rests where it costs the face pictures (/run/kaori/board)
   --systemctl PROGRAM  asks the service manager how the programs do, and for a restart (/bin/systemctl)
   --install FILE     instead: brings this file in, says how it went, and ends
-  --other FILE       instead: tries the disk's other system, once, for the reason in this file
+  --other FILE       instead: tries the disk's other system, once, for the reason in this file, or where the stage ends again and
+                     again and has shown no face
+  --look             with --other: only says whether there is such a reason, by ending with 0 or 1
 )";
 
 // What the options say. Without any it is a box's own places, with some a test's, or those of a disk that lies in another
@@ -65,7 +68,7 @@ struct Settings {
                       said = "/run/kaori-update", picture = "/run/kaori/look.ppm",
                       still = "/usr/share/kaori/still.ppm", last_face = "/var/lib/kaori/own/last-face",
                       board = "/run/kaori/board", systemctl = "/bin/systemctl", install, other;
-  bool confirm = false;
+  bool confirm = false, look = false;
   kaori::loader::BoxDisk disk;
 };
 
@@ -155,6 +158,10 @@ void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict,
   kaori::update::RestartMachine(settings.systemctl);
 }
 
+kaori::update::FaultPlaces PlacesOf(const Settings& settings) {
+  return {.no_show = settings.other, .board = settings.board, .systemctl = settings.systemctl};
+}
+
 fs::path LookFile(const Settings& settings) {
   return fs::path(settings.said) / "looking";
 }
@@ -201,22 +208,13 @@ int Confirm(const Settings& settings, const kaori::update::Running& running) {
   return 0;
 }
 
-// The stage takes the file away when it has read a show after all.
-void AwaitLastingFault(const std::string& file) {
-  kaori::update::LastingFault fault;
-  std::error_code none;
-  while (!fault.Lasts(fs::exists(file, none), kaori::SteadyClock().now())) ::sleep(1);
-}
-
-// The stage can read no show; the last picture stands meanwhile.
+// The last picture stands meanwhile, where there was one.
 int TryOtherSystem(const Settings& settings, const kaori::update::Running& running) {
-  AwaitLastingFault(settings.other);
+  const std::string fault = kaori::update::AwaitLastingFault(PlacesOf(settings));
   const auto notes = kaori::update::OpenNotes(settings.notes);
   auto choice = OpenBootChoice(settings.disk, running.slot);
   if (!choice) return kaori::ExitWithError(choice.error());
-  const std::string reason = kaori::ReadFile(settings.other).value_or("");
-  kaori::LogError("no show can be played, and the disk's other system is tried: {}",
-                  reason.substr(0, reason.find('\n')));
+  kaori::LogError("{}; the disk's other system is tried", fault);
   const auto begun = TryOther(**choice, *notes);
   TellStatus(settings, begun);
   if (begun.message == Message::kRestarts) kaori::update::RestartMachine(settings.systemctl);
@@ -272,6 +270,7 @@ int main(int argc, char** argv) {
   Settings settings;
   kaori::Options options(kHelp);
   options.Switch("--confirm", settings.confirm)
+      .Switch("--look", settings.look)
       .Text("--socket", settings.socket)
       .Text("--notes", settings.notes)
       .Text("--version", settings.version)
@@ -292,6 +291,7 @@ int main(int argc, char** argv) {
   const auto running = kaori::update::ReadRunning(settings.version, settings.slot);
   if (!running) return kaori::ExitWithError(running.error());
   if (settings.confirm) return Confirm(settings, *running);
+  if (settings.look) return kaori::update::FaultOfSystem(PlacesOf(settings)).empty() ? 1 : 0;
   if (!settings.other.empty()) return TryOtherSystem(settings, *running);
   if (!settings.install.empty()) return Install(settings, *running);
   return Serve(settings, *running);

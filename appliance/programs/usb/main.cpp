@@ -32,7 +32,7 @@ constexpr const char* kHelp = R"(kaori-usb: whether a USB device is authorised; 
                                       why stands in RUN/kaori-usb under its port, and in LOG
   kaori-usb forget PORT [RUN]         it was unplugged: nothing is said of it any more
 
-RUN is /run, where the service key and the profile are looked up too; LOG is the kernel's, /dev/kmsg.
+RUN is /run, where the service key and the profile are looked up too, and where the port of the box's GPIO bridge is kept; LOG is the kernel's, /dev/kmsg.
 )";
 
 constexpr std::size_t kLongestPort = 32;       // The kernel's have 16 at most: seven hubs one behind another.
@@ -101,18 +101,43 @@ void Say(const std::optional<kaori::store::RefusedUsb>& refused, const Said& sai
   [[maybe_unused]] const auto written = ::write(log.get(), record.data(), record.size());
 }
 
+// The port of the bridge that has come first, and the file that says so to all that come later.
+struct OwnBridge {
+  UniqueFd file;
+  std::string port;
+};
+
+// Before the rights are given up. Where the file cannot be opened nothing is kept, and the first bridge that a start shows is
+// its own all the same.
+OwnBridge OpenOwnBridge(const fs::path& run) {
+  const fs::path file = run / "kaori-bridge";
+  std::string port = kaori::ReadBeginning(file, kLongestPort).value_or("");
+  return {UniqueFd(::open(file.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, kFileMode)),
+          std::move(port)};
+}
+
+void KeepOwnBridge(const OwnBridge& own, const std::string& port) {
+  if (!own.port.empty()) return;
+  [[maybe_unused]] const auto written = ::pwrite(own.file.get(), port.data(), port.size(), 0);
+}
+
 // Files are opened first and bytes are looked at last: what goes wrong with these has no rights. Where the rights cannot be
 // given up nothing is looked at, and the device stays out. A program that a signal ends is a no to udev as well.
 int Look(const Request& request) {
   const std::string port = request.device.filename().string();
+  const OwnBridge own = OpenOwnBridge(request.run);
   const kaori::usb::Situation situation{.key_is_on = kaori::IsThere(request.run / "kaori-service/open"),
-                                        .is_kiosk = kaori::IsThere(request.run / "kaori-profile/kiosk")};
+                                        .is_kiosk = kaori::IsThere(request.run / "kaori-profile/kiosk"),
+                                        .own_bridge = own.port,
+                                        .has_started = kaori::IsThere(request.run / "kaori-service/started")};
   const auto bytes = ReadDescriptors(request.device);
   const Said said = OpenSaid(request);
   const UniqueFd log(::open(request.log.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   if (!GaveUpAllRights()) return std::perror("kaori-usb: give up all rights"), kStaysOut;
-  const auto refused = kaori::usb::WhyRefused(OfferOf(bytes), port, situation);
+  const auto offer = OfferOf(bytes);
+  const auto refused = kaori::usb::WhyRefused(offer, port, situation);
   Say(refused, said, log);
+  if (!refused && kaori::usb::IsLineBridge(*offer)) KeepOwnBridge(own, port);
   return refused ? kStaysOut : kAuthorised;
 }
 

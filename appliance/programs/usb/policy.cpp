@@ -22,18 +22,22 @@ bool IsOfSerialMaker(const UsbOffer& offer) {
   return std::ranges::find(kSerialMakers, offer.vendor) != kSerialMakers.end();
 }
 
+constexpr std::uint16_t kMicrochip = 0x04D8, kMcp2221a = 0x00DD, kSiliconLabs = 0x10C4, kCp2112 = 0xEA90;
+
+bool IsMcp2221a(const UsbOffer& offer) {
+  return offer.vendor == kMicrochip && offer.product == kMcp2221a;
+}
+
 // Microchip's bridge of USB to GPIO lines, which is a serial port (its datasheet, DS20005565, 1.4) besides: the box has no
 // driver for that, and lets it be. Networks call themselves communication too, of another subclass or protocol.
-bool IsLineBridge(const UsbOffer& offer) {
-  constexpr std::uint16_t kMicrochip = 0x04D8, kMcp2221a = 0x00DD;
+bool IsHonestMcp2221a(const UsbOffer& offer) {
   constexpr std::uint8_t kModem = 2, kCommands = 1;
   const auto is_its_own = [](const OfferedInterface& one) {
     const bool serial =
         one.kind == UsbClass::kCommunication && one.subclass == kModem && one.protocol == kCommands;
     return serial || one.kind == UsbClass::kData || one.kind == UsbClass::kInput;
   };
-  return offer.vendor == kMicrochip && offer.product == kMcp2221a &&
-         std::ranges::all_of(offer.interfaces, is_its_own) &&
+  return IsMcp2221a(offer) && std::ranges::all_of(offer.interfaces, is_its_own) &&
          std::ranges::none_of(offer.interfaces, IsKeyboard);
 }
 
@@ -47,11 +51,16 @@ bool HasRole(const OfferedInterface& one) {
   return std::ranges::find(kRoles, one.kind) != kRoles.end();
 }
 
+bool IsOwnBridge(std::string_view port, const Situation& situation) {
+  return situation.own_bridge.empty() ? !situation.has_started : situation.own_bridge == port;
+}
+
 // The policy: each line is one way to be authorised or refused, and the words further down only tell of it.
-bool IsAuthorised(const UsbOffer& offer, const Situation& situation) {
+bool IsAuthorised(const UsbOffer& offer, std::string_view port, const Situation& situation) {
+  if (IsLineBridge(offer) && !IsOwnBridge(port, situation)) return false;
   if (situation.key_is_on && OffersOnly(offer, UsbClass::kStorage)) return true;
   if (IsOfSerialMaker(offer) && OffersOnly(offer, UsbClass::kVendor)) return true;
-  if (IsLineBridge(offer)) return true;
+  if (IsHonestMcp2221a(offer)) return true;
   if (!std::ranges::all_of(offer.interfaces, HasRole)) return false;
   return !situation.is_kiosk || std::ranges::none_of(offer.interfaces, IsKeyboard);
 }
@@ -82,6 +91,13 @@ RefusedUsb SayUnwanted(std::string_view port, const KindName& name) {
              std::string(name.japanese) + "はこの箱では使えません");
 }
 
+// Whoever carries the number of a maker of serial adapters and is none pretends, and somebody is to look at the port.
+RefusedUsb SayPretender(std::string_view port, const KindName& name) {
+  return Say(Weight::kFault, port,
+             std::string(name.english) + " with the number of a serial adapter's maker stays out",
+             "シリアル変換器の番号を名乗る" + std::string(name.japanese) + "は使えません");
+}
+
 // `without` has no role beside the rest, and `with` would have one alone.
 RefusedUsb SayMixed(std::string_view port, const KindName& without, const KindName& with) {
   return Say(
@@ -90,7 +106,22 @@ RefusedUsb SayMixed(std::string_view port, const KindName& without, const KindNa
       std::string(with.japanese) + "とも名乗る" + std::string(without.japanese) + "は使えません");
 }
 
+// Of one that was not there when the box started a person learns what to do; of a second one, where the first one is.
+RefusedUsb SayOtherBridge(std::string_view port, const Situation& situation) {
+  if (situation.own_bridge.empty())
+    return Say(Weight::kFault, port,
+               "a GPIO bridge that comes after the start stays out; switch the box on with it plugged in",
+               "起動後に差されたGPIOブリッジは使えません。差したまま電源を入れてください");
+  return Say(Weight::kFault, port,
+             "a GPIO bridge stays out here, since the box's own is that of port " + situation.own_bridge,
+             "この箱のGPIOブリッジはポート" + situation.own_bridge + "のものです。ここでは使えません");
+}
+
 }  // namespace
+
+bool IsLineBridge(const UsbOffer& offer) {
+  return IsMcp2221a(offer) || (offer.vendor == kSiliconLabs && offer.product == kCp2112);
+}
 
 // The words follow the first reason that holds; all of them are of our own, none is the device's.
 std::optional<RefusedUsb> WhyRefused(const Result<UsbOffer>& offer, std::string_view port,
@@ -99,7 +130,8 @@ std::optional<RefusedUsb> WhyRefused(const Result<UsbOffer>& offer, std::string_
     return Say(Weight::kFault, port,
                "a device whose descriptors cannot be read stays out (" + offer.error().message() + ")",
                "記述子を読めない機器は使えません");
-  if (IsAuthorised(*offer, situation)) return std::nullopt;
+  if (IsAuthorised(*offer, port, situation)) return std::nullopt;
+  if (IsLineBridge(*offer) && !IsOwnBridge(port, situation)) return SayOtherBridge(port, situation);
   if (OffersOnly(*offer, UsbClass::kStorage))
     return Say(Weight::kNamed, port, "a storage device stays out while the service key is off",
                "記憶装置はサービスキーを入れるまで使えません");
@@ -114,7 +146,8 @@ std::optional<RefusedUsb> WhyRefused(const Result<UsbOffer>& offer, std::string_
   if (picture != nullptr) return SayUnwanted(port, name(picture));
   const auto* const wanted = FirstOf(*offer, is_wanted);
   const auto* const unwanted = FirstOf(*offer, [&](const auto& one) { return !is_wanted(one); });
-  if (wanted == nullptr) return SayUnwanted(port, name(unwanted));
+  if (wanted == nullptr)
+    return serial ? SayPretender(port, name(unwanted)) : SayUnwanted(port, name(unwanted));
   if (unwanted != nullptr) return SayMixed(port, name(unwanted), name(wanted));
   // Each of them would have a role alone: what has it only by the key, or by its maker, is told of first.
   const auto* const guest = FirstOf(*offer, [](const auto& one) { return one.kind == UsbClass::kStorage; });

@@ -29,7 +29,8 @@ class InputFixture : public ::testing::Test {
   void StartService() {
     bus_ = hid::LocalHidBus::Watch(links()).value();
     service_.emplace(board_, InputWriters::Acquire(board_).value(),
-                     InputSources{.buses = {bus_.get()}, .lines = {}}, settings_, clock_);
+                     InputSources{.buses = {bus_.get()}, .lines = {}, .has_keyboards = has_keyboards_},
+                     settings_, clock_);
   }
 
   // Ends the service as if its program had died; the board stays.
@@ -53,6 +54,7 @@ class InputFixture : public ::testing::Test {
   board::Board board_;
   ManualClock clock_;
   InputSettings settings_;
+  bool has_keyboards_ = true;
   std::unique_ptr<sim::Rig> rig_;
   std::unique_ptr<ports::HidBus> bus_;
   std::optional<InputService> service_;

@@ -148,6 +148,17 @@ TEST_F(TheServiceKey, CountsAsOffWhereNoStartHearsOfItForTenSeconds) {
   EXPECT_TRUE(IsThere());
 }
 
+TEST_F(TheServiceKey, SaysByAFileThatTheStartIsOver) {
+  const auto started = std::filesystem::path(file_).parent_path() / "started";
+  std::filesystem::remove(started);
+  ServiceKey key(file_, began_);
+  key.Step(Lines(false), began_ + ServiceKey::kStart - std::chrono::milliseconds(1));
+  EXPECT_FALSE(std::filesystem::exists(started));
+  key.Step(Lines(false), began_ + ServiceKey::kStart);
+  EXPECT_TRUE(std::filesystem::exists(started));
+  EXPECT_FALSE(IsThere()) << "which is not the key";
+}
+
 TEST_F(TheServiceKey, CountsAsOffWhereEachStartEndsBeforeItsFirstStep) {
   ServiceKey(file_, began_).Step(Lines(true), began_);
   for (int s = 0; s <= 12; s += 3) const ServiceKey key(file_, began_ + std::chrono::seconds(s));

@@ -221,6 +221,18 @@ TEST_F(Keyboard, ReleasesHeldKeysWhenTheCableIsPulled) {
   EXPECT_EQ(Board().keys.source, SourceState::kStale);
 }
 
+TEST_F(Keyboard, IsLeftAloneInAKioskWhateverItToldTheKernel) {
+  KillService();
+  has_keyboards_ = false;
+  StartService();
+  Play(milliseconds(1000));
+  rig_->keyboard().Press(kSpace);
+  Play(milliseconds(5));
+  EXPECT_NE(Board().keys.source, SourceState::kLive);
+  EXPECT_FALSE(Held(Board().keys.value, kSpace));
+  EXPECT_EQ(Board().surface.source, SourceState::kLive) << "the others play";
+}
+
 TEST_F(Keyboard, TellsInWhichOrderKeysWentDownBetweenTwoLooks) {
   constexpr std::uint8_t kY = 0x1C, kLeftShift = 0xE1;
   for (const std::uint8_t usage : {kY, kLeftShift, kA}) {

@@ -109,6 +109,32 @@ TEST_F(CopiesTest, ABoxWithNothingGetsTheShowAndEverythingButTheNameAndTheReport
   EXPECT_EQ(Text("own/log/evening"), "nothing") << "a report says what one box did";
 }
 
+// Whoever agrees has seen whom the box would trust and what it would let in, however much comes besides.
+TEST_F(CopiesTest, ARestoreHidesNoKeyAndNoSettingBehindManyFiles) {
+  const auto name = [](int n) { return "own/0" + std::to_string(n) + "-smile.toml"; };
+  for (int n = 1; n < 10; ++n) Put(name(n), "smile");
+  Put("settings/keys/company.pub", show::PublicKeyLine(company_.public_key()));
+  Put("settings/box.toml", "name = \"left\"\nprofile = \"bench\"\n");
+  BackUp();
+  for (int n = 1; n < 10; ++n) fs::remove(folder_ / name(n));
+  fs::remove(folder_ / "settings/keys/company.pub");
+  Put("settings/box.toml", "name = \"left\"\nprofile = \"stage\"\n");
+  const std::string said = Choose("restore left");
+  EXPECT_THAT(said,
+              HasSubstr("new     settings/keys/company.pub  " + show::Fingerprint(company_.public_key())));
+  EXPECT_THAT(said, HasSubstr("changed profile  \"stage\" -> \"bench\""));
+  EXPECT_THAT(said, HasSubstr("and 3 more\n"));
+  EXPECT_THAT(said, Not(HasSubstr("settings/box.toml"))) << "its settings are named one by one";
+}
+
+TEST_F(CopiesTest, ARestoreOfMoreKeysThanAScreenHoldsSaysHowManyThereAre) {
+  const auto name = [](int n) { return "settings/keys/" + std::to_string(n) + ".pub"; };
+  for (int n = 0; n < 12; ++n) Put(name(n), show::PublicKeyLine(show::MakeKey().value().public_key()));
+  BackUp();
+  for (int n = 0; n < 12; ++n) fs::remove(folder_ / name(n));
+  EXPECT_THAT(Choose("restore left"), HasSubstr("and 4 more, 4 of them keys"));
+}
+
 // The second restore is confirmed before the first was done: the first one's files are none of its own.
 TEST_F(CopiesTest, ALaterRestoreTakesThePlaceOfOneThatWaits) {
   BackUp();

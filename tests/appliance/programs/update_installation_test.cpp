@@ -118,6 +118,27 @@ TEST_F(UpdateInstallation, FindsAStickThatGivesAnotherFileTheSecondTime) {
   }
 }
 
+// Root and verity are those that were promised, so that a foreign kernel on the disk would start with them.
+TEST_F(UpdateInstallation, WritesNoByteOfAKernelThatBecameAnotherOneSinceTheFirstReading) {
+  const Bytes honest = BundleOf(6);
+  const Manifest manifest = ReadManifest(SimulatedSource(honest)).value();
+  const PackedPart kernel = manifest.part(Part::kKernelB);
+  const Bytes before = OnDisk(kKernelB, kKernel);
+  const std::size_t at = kHeader_bytes + manifest.PackedAt(Part::kKernelB);
+  const Bytes foreign = Pack(Noise(kKernel, 99)).value();
+  Bytes then = honest;
+  std::copy_n(foreign.begin(), std::min<std::size_t>(foreign.size(), kernel.packed_bytes),
+              then.begin() + static_cast<std::ptrdiff_t>(at));
+  auto liar = std::make_unique<SimulatedSource>(honest);
+  liar->readings_left = 2;  // The header, and all of the payload.
+  liar->then = std::move(then);
+  const Message message = Install(std::move(liar)).message;
+  EXPECT_EQ(message, Message::kPulled);
+  EXPECT_EQ(OnDisk(kRootB, kRoot), PartsOf(6)[0]) << "it was written that far";
+  EXPECT_TRUE(OnDisk(kKernelB, kKernel) == before);
+  EXPECT_EQ(notes_.pending, std::nullopt);
+}
+
 TEST_F(UpdateInstallation, FindsADiskThatHoldsAnotherThingThanWasWritten) {
   disk_.Rot();
   EXPECT_EQ(Install(BundleOf(6)).message, Message::kDiskFault);

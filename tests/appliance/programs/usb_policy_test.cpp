@@ -84,6 +84,12 @@ TEST(UsbPolicy, AMakersOwnClassIsASerialAdapterOfThreeMakersAlone) {
               "fault: USB port 1-2: a serial adapter that also calls itself a keyboard stays out");
   }
   EXPECT_EQ(
+      Said({kNetwork, kData}, {}, kCh340),
+      "fault: USB port 1-2: a network adapter or modem with the number of a serial adapter's maker stays "
+      "out");
+  EXPECT_EQ(Said({kNetwork, kData}),
+            "quiet: USB port 1-2: a network adapter or modem stays out, since the box has no role for it");
+  EXPECT_EQ(
       Said({kVendors}),
       "quiet: USB port 1-2: a device of its maker's own kind stays out, since the box has no role for it");
 }
@@ -99,6 +105,27 @@ TEST(UsbPolicy, ABridgeOfLinesMayBeASerialPortBesidesAndNoNetwork) {
   EXPECT_TRUE(judge(0x00DE, {kModem, kData, kKnobs}));
   for (const OfferedInterface& wrong : {kRndis, kNetwork, kStorage, kVendors, kKeyboard})
     EXPECT_TRUE(judge(0x00DD, {kModem, kData, kKnobs, wrong})) << "whatever it calls itself";
+}
+
+TEST(UsbPolicy, TheBridgeOfLinesIsTheFirstOneOfAStartAndStaysAtItsPort) {
+  const auto judge = [](std::uint16_t vendor, std::uint16_t product, const Situation& situation) {
+    const auto refused = WhyRefused(UsbOffer{.vendor = vendor, .product = product, .interfaces = {kKnobs}},
+                                    "1-2.4", situation);
+    return refused ? refused->english : "authorised";
+  };
+  for (const auto& [vendor, product] :
+       {std::pair<std::uint16_t, std::uint16_t>{0x10C4, 0xEA90}, {0x04D8, 0x00DD}}) {
+    EXPECT_EQ(judge(vendor, product, {}), "authorised") << "it is there when power comes";
+    EXPECT_EQ(judge(vendor, product, {.own_bridge = "1-2.4", .has_started = true}), "authorised")
+        << "plugged in again in a show";
+    EXPECT_EQ(judge(vendor, product, {.own_bridge = "1-3"}),
+              "USB port 1-2.4: a GPIO bridge stays out here, since the box's own is that of port 1-3");
+    EXPECT_EQ(judge(vendor, product, {.key_is_on = true, .has_started = true}),
+              "USB port 1-2.4: a GPIO bridge that comes after the start stays out; switch the box on with it "
+              "plugged in");
+  }
+  EXPECT_EQ(judge(0x10C4, 0xEA91, {.own_bridge = "1-3", .has_started = true}), "authorised")
+      << "another device of that maker";
 }
 
 TEST(UsbPolicy, InAKioskNoKeyboardIsAuthorisedWhateverElseItIs) {

@@ -33,9 +33,10 @@ class UsbProgram : public ::testing::Test {
   ~UsbProgram() override { fs::remove_all(folder_); }
 
   // What is plugged into the port, as sysfs has it.
-  void Plug(const std::string& port, const sim::UsbBytes& configuration) {
+  void Plug(const std::string& port, const sim::UsbBytes& configuration,
+            const sim::UsbBytes& device = tests::UsbDeviceDescriptor()) {
     fs::create_directories(folder_ / "sys" / port);
-    const auto file = tests::KernelReads(tests::UsbDeviceDescriptor(), {configuration})->file;
+    const auto file = tests::KernelReads(device, {configuration})->file;
     std::ofstream(folder_ / "sys" / port / "descriptors", std::ios::binary)
         .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
   }
@@ -99,6 +100,29 @@ TEST_F(UsbProgram, KnowsAKiosk) {
   EXPECT_EQ(Look("1-1"), 0);
   Put("run/kaori-profile/kiosk");
   EXPECT_EQ(Look("1-1"), 1);
+}
+
+TEST_F(UsbProgram, KnowsTheBridgeThatWasThereFirstAndNoOther) {
+  const auto bridge = tests::UsbDeviceDescriptor(0x10C4, 0xEA90);
+  const auto lines = Alone({.number = 0, .kind = 3, .subclass = 0, .protocol = 0});
+  Plug("1-3", lines, bridge);
+  Plug("1-2.4", lines, bridge);
+  Plug("1-1", Alone(kTheMouse));
+  EXPECT_EQ(Look("1-1"), 0) << "which is none";
+  EXPECT_EQ(Look("1-3"), 0);
+  EXPECT_EQ(Look("1-2.4"), 1);
+  EXPECT_THAT(ReadFile(said("1-2.4")).value_or(""), HasSubstr("that of port 1-3"));
+  EXPECT_EQ(Run("forget 1-3 " + (folder_ / "run").string()), 0);
+  EXPECT_EQ(Look("1-2.4"), 1) << "also while it is unplugged";
+  EXPECT_EQ(Look("1-3"), 0);
+}
+
+TEST_F(UsbProgram, TakesNoBridgeThatComesAfterTheStart) {
+  Plug("1-3", Alone({.number = 0, .kind = 3, .subclass = 0, .protocol = 0}),
+       tests::UsbDeviceDescriptor(0x10C4, 0xEA90));
+  Put("run/kaori-service/started");
+  EXPECT_EQ(Look("1-3"), 1);
+  EXPECT_EQ(Look("1-3"), 1) << "asked again";
 }
 
 TEST_F(UsbProgram, KeepsOutWhatHasNoDescriptorsOrFarTooMany) {

@@ -1,0 +1,46 @@
+#include "appliance/programs/update/other_fault.h"
+
+#include <unistd.h>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/update/looks.h"
+#include "appliance/programs/update/trial.h"
+#include "drivers/base/folder.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/run_program.h"
+
+namespace kaori::update {
+namespace {
+
+constexpr std::size_t kMostWord_bytes = std::size_t{4} << 10U;
+constexpr auto kLongestWord = std::chrono::seconds(20);  // Of systemctl, beside a busy machine.
+
+// Frames of all the stages of this start; a board that is not there yet, or that no stage has written, has none.
+bool HasShownAFace(const std::string& path) {
+  const auto board = board::Board::Open(path);
+  return board && board->Read<board::StageStatus>().value.frames > 0;
+}
+
+}  // namespace
+
+std::string FaultOfSystem(const FaultPlaces& places) {
+  if (IsThere(places.no_show)) {
+    const std::string reason = ReadFile(places.no_show).value_or("");
+    return "no show can be played: " + reason.substr(0, reason.find('\n'));
+  }
+  if (HasShownAFace(places.board)) return {};
+  const auto shown = OutputOf({places.systemctl, "show", "--property=NRestarts", "kaori-stage.service"},
+                              kMostWord_bytes, kLongestWord);
+  return shown && EndsAgainAndAgain(*shown) ? "the stage ends again and again, and has shown no face" : "";
+}
+
+std::string AwaitLastingFault(const FaultPlaces& places) {
+  LastingFault lasting;
+  while (true) {
+    std::string fault = FaultOfSystem(places);
+    if (lasting.Lasts(!fault.empty(), SteadyClock().now())) return fault;
+    ::sleep(1);
+  }
+}
+
+}  // namespace kaori::update

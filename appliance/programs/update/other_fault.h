@@ -1,0 +1,27 @@
+// Why the disk's other system is to be tried: this one can play no show, or never shows a face.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace kaori::update {
+
+// Where it is seen.
+struct FaultPlaces {
+  // The stage makes it where it can read no show, with the reason, and takes it away when it has read one after all.
+  std::filesystem::path no_show;
+  // Of the programs; on it stands how many frames were shown since the machine started.
+  std::string board;
+  // The service manager's own program, which knows how often the stage was started anew.
+  std::string systemctl;
+};
+
+// The reason in one line, English; empty: there is none now. A stage that never showed a frame in this start of the machine and
+// ended at least twice is one, as where a bit of it is spoilt on the disk; one that waits for a screen does not end. Blocks for the
+// file system, and for systemctl where no frame was shown.
+std::string FaultOfSystem(const FaultPlaces& places);
+
+// Blocks until one has stood for LastingFault::kLasts without a break, and gives it. Whoever starts this bounds its time.
+std::string AwaitLastingFault(const FaultPlaces& places);
+
+}  // namespace kaori::update

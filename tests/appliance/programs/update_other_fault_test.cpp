@@ -1,0 +1,68 @@
+// Why the disk's other system is tried: what the stage says, what it shows, and how often it ended.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "appliance/programs/update/other_fault.h"
+#include "tests/appliance/core/board_file.h"
+
+namespace kaori::update {
+namespace {
+
+class OtherFault : public ::testing::Test {
+ protected:
+  OtherFault() { Restarted("0"); }
+  // What the service manager says of the stage.
+  void Restarted(const std::string& times) {
+    std::ofstream(places_.systemctl) << "#!/bin/sh\n[ \"$3\" = kaori-stage.service ] && echo NRestarts="
+                                     << times << "\n";
+    ::chmod(places_.systemctl.c_str(), 0755);
+  }
+  void Show(std::uint32_t frames) {
+    board_.AcquireWriter<board::StageStatus>().value().Write({.frames = frames}, Time{},
+                                                             board::SourceState::kLive);
+  }
+
+  board::BoardFile file_;
+  board::Board board_ = file_.Open();
+  FaultPlaces places_{.no_show = file_.folder() / "no-show",
+                      .board = file_.path(),
+                      .systemctl = (file_.folder() / "systemctl").string()};
+};
+
+TEST_F(OtherFault, IsAShowThatCannotBeReadWithItsReason) {
+  Show(100);
+  EXPECT_EQ(FaultOfSystem(places_), "");
+  std::ofstream(places_.no_show) << "kaori.kaori: byte 12 is torn\nand more\n";
+  EXPECT_EQ(FaultOfSystem(places_), "no show can be played: kaori.kaori: byte 12 is torn");
+}
+
+TEST_F(OtherFault, IsAStageThatEndsAgainAndAgainAndHasShownNothing) {
+  Restarted("2");
+  EXPECT_EQ(FaultOfSystem(places_), "the stage ends again and again, and has shown no face");
+  Show(1);
+  EXPECT_EQ(FaultOfSystem(places_), "") << "it has shown one in this start";
+}
+
+TEST_F(OtherFault, IsNoStageThatWaitsForAScreenOrIsSlow) {
+  EXPECT_EQ(FaultOfSystem(places_), "");
+  Restarted("1");
+  EXPECT_EQ(FaultOfSystem(places_), "") << "once is not again and again";
+}
+
+TEST_F(OtherFault, IsNothingThatTheServiceManagerDoesNotSay) {
+  Restarted("");
+  EXPECT_EQ(FaultOfSystem(places_), "");
+  std::filesystem::remove(places_.systemctl);
+  EXPECT_EQ(FaultOfSystem(places_), "");
+}
+
+TEST_F(OtherFault, IsAStageThatCouldNotEvenMakeABoard) {
+  Restarted("40");
+  std::filesystem::remove(file_.path());
+  EXPECT_NE(FaultOfSystem(places_), "");
+}
+
+}  // namespace
+}  // namespace kaori::update
