@@ -188,8 +188,8 @@ std::vector<Check> CrashChecks();
 std::vector<Check> GivesWayChecks();
 // Programs of the box are killed again and again, and its disk is full.
 std::vector<Check> StormChecks();
-// The disk has spoilt the root's show, in such a PC.
-std::vector<Check> SpoiltShowChecks();
+// The disk has spoilt the root's show, or the stage, in such a PC.
+std::vector<Check> SpoiltFileChecks();
 // The box on a USB stick and on an SD card, as its only disk.
 std::vector<Check> MediumChecks();
 // A changed root is refused, and UEFI starts the disk.

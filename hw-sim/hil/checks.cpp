@@ -116,7 +116,7 @@ std::vector<Check> AllChecks() {
         SamplingChecks(),  DisplayChecks(),     OutputChecks(),        LastFaceChecks(),    StormChecks(),
         RecoveryChecks(),  PowerChecks(),       StickChecks(),         GivesWayChecks(),    BackupChecks(),
         DeskChecks(),      DataChecks(),        DiskChecks(),          SecureBootChecks(),  StartChecks(),
-        UpdateChecks(),    BadUpdateChecks(),   PowerCycleChecks(),    SpoiltShowChecks(),  MediumChecks()})
+        UpdateChecks(),    BadUpdateChecks(),   PowerCycleChecks(),    SpoiltFileChecks(),  MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -1,5 +1,6 @@
 // The data partition: one that is ruined is brought back by the service key, and the journal of an evening is
 // kept over a power cut.
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -32,18 +33,23 @@ constexpr const char* kKeptSettings = "read /var/lib/kaori/settings/box.toml";
 struct Ruin {
   const char* name;
   const char* debugfs;        // A change by debugfs; null: none.
-  std::size_t from_bytes;     // Noise from here on,
-  std::size_t noise_bytes;    // so much of it.
+  std::size_t from_bytes;     // Other bytes from here on,
+  std::size_t other_bytes;    // so many of them,
+  bool is_noise;              // noise, or zeroes.
   std::string_view at_start;  // What the status says before the key is on.
   std::string_view at_end;    // And after; empty: there is nothing to mend.
   bool keeps_settings;        // Whether what was kept is there again.
 };
 
-// The first is mended by mounting alone, the second by e2fsck, the third by neither: it is made anew.
+// The first two are mended by mounting alone, the third by e2fsck, the last by neither: it is made anew.
 constexpr std::array kRuins{
-    Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, "is mounted by a copy", "", true},
-    Ruin{"a lost journal", "clri <8>", 0, 0, "cannot be mounted", "is mended", true},
-    Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, "cannot be mounted", "what was kept is lost", false}};
+    Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, true, "is mounted by a copy", "",
+         true},
+    Ruin{"a superblock of zeroes", nullptr, kDataBlock_bytes, kDataBlock_bytes, false, "is mounted by a copy",
+         "", true},
+    Ruin{"a lost journal", "clri <8>", 0, 0, false, "cannot be mounted", "is mended", true},
+    Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, true, "cannot be mounted", "what was kept is lost",
+         false}};
 
 // What is written stays, since the next start is to find it.
 Setup SetupOn(const std::string& disk) {
@@ -60,11 +66,11 @@ Result<std::string> RuinedDisk(Scene& scene, const Ruin& ruin) {
                            options.folder + "/debugfs.log");
         !ok)
       return tl::unexpected(ok.error());
-  std::string noise(ruin.noise_bytes, '\0');
-  for (char& byte : noise) byte = static_cast<char>(scene.chance());
+  std::string other(ruin.other_bytes, '\0');
+  if (ruin.is_noise) std::ranges::generate(other, [&] { return static_cast<char>(scene.chance()); });
   std::fstream file(copy->file, std::ios::binary | std::ios::in | std::ios::out);
   file.seekp(static_cast<std::streamoff>(copy->start_bytes + ruin.from_bytes));
-  file.write(noise.data(), static_cast<std::streamsize>(noise.size()));
+  file.write(other.data(), static_cast<std::streamsize>(other.size()));
   if (!file.flush()) return Fail(std::errc::io_error, "write " + copy->file);
   return copy->file;
 }
@@ -137,8 +143,9 @@ Result<void> Ruined(Scene& scene) {
   for (const Ruin& ruin : kRuins)
     if (auto ok = WantMended(scene, ruin); !ok) return ok;
   scene.finding.said =
-      "a torn superblock: mounted by its copy; a lost journal: mended; noise: made anew, each by the service "
-      "key";
+      "a superblock of noise or of zeroes: mounted by its copy; a lost journal: mended; noise: made anew, "
+      "both by "
+      "the service key";
   return {};
 }
 

@@ -179,19 +179,19 @@ Result<void> UpdatedPc::SpoilSlotB() const {
   return FlipBit(*start + kSuperBlock_bytes);
 }
 
-// A root is not packed, so that a page of the show lies there as it is in the file.
-Result<void> UpdatedPc::SpoilShow(const std::string& show) const {
+// Shows and programs are not packed in a root: a page lies there as it is in the file.
+Result<void> UpdatedPc::SpoilFile(const std::string& file) const {
   constexpr std::size_t kPage_bytes = 4096;
   const auto root = PartitionSpan(Disk(), "root-a");
   if (!root) return tl::unexpected(root.error());
   std::string page(kPage_bytes, '\0'), there(root->bytes, '\0');
-  std::ifstream from(show, std::ios::binary), disk(Disk(), std::ios::binary);
+  std::ifstream from(file, std::ios::binary), disk(Disk(), std::ios::binary);
   from.seekg(kPage_bytes);
   from.read(page.data(), static_cast<std::streamsize>(page.size()));
   disk.seekg(static_cast<std::streamoff>(root->at_bytes));
   disk.read(there.data(), static_cast<std::streamsize>(there.size()));
   const std::size_t at = there.find(page);
-  if (!from || !disk || at == there.npos) return FailInput("root-a has no page of " + show);
+  if (!from || !disk || at == there.npos) return FailInput("root-a has no page of " + file);
   return FlipBit(root->at_bytes + at);
 }
 

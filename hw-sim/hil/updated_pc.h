@@ -55,9 +55,9 @@ class UpdatedPc {
   // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first
   // thing that is read of a root. The kernel of slot B then refuses it. Errors: io_error.
   Result<void> SpoilSlotB() const;
-  // One bit of the show in the root of slot A, in a page that a stage reads before its first picture. `show`: the file that
-  // the image's root was made of. Errors: io_error; invalid_argument, the root has no such page.
-  Result<void> SpoilShow(const std::string& show) const;
+  // One bit of a file in the root of slot A, in its second page: of a show, and of a program, a stage reads it before its first
+  // picture. `file`: as the image's root was made of it. Errors: io_error; invalid_argument, the root has no such page.
+  Result<void> SpoilFile(const std::string& file) const;
 
   std::string Disk() const { return folder_ + "/pc.disk"; }
   std::string Variables() const { return folder_ + "/variables.fd"; }

@@ -64,6 +64,15 @@ TEST_F(UpdateInstallation, RefusesBeforeAByteIsWritten) {
   }
 }
 
+// The second root of trust is for the day on which the first one is lost.
+TEST_F(UpdateInstallation, OfEachOfTheKeysThatAreTrustedIsTaken) {
+  const auto second = show::MakeKey().value();
+  EXPECT_EQ(Install(BundleOf(ManifestOf(6), second)).message, Message::kForeign);
+  keys_.push_back(second.public_key());
+  EXPECT_EQ(Install(BundleOf(ManifestOf(6), second)).message, Message::kWaits);
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kWaits);
+}
+
 TEST_F(UpdateInstallation, RefusesWhatDoesNotFitIntoTheSlot) {
   verity_b_ = disk_.Partition(kVerityB, kVerity - 1);
   EXPECT_EQ(Install(BundleOf(6)).message, Message::kTooLarge);
