@@ -100,28 +100,41 @@ bench() {
     measure_builds
     return
   fi
-  local json
+  local json=$PWD/out/bench.json before=
   while [ $# -gt 0 ]; do
-    [[ $1 != --json || $# -gt 1 ]] || fail "--json wants the name of a file; see ./box help"
-    if [ "$1" = --json ]; then
-      json=$(from_caller "$2")
-      options+=(--json "$json")
-      shift
-    else
-      options+=("$1")
-    fi
+    [[ ! $1 =~ ^--(json|before)$ || $# -gt 1 ]] || fail "$1 wants the name of a file; see ./box help"
+    case $1 in
+      --json) json=$(from_caller "$2"); shift ;;
+      --before)
+        before=$(from_caller "$2")
+        [ -f "$before" ] || fail "--before $2: there is no such file; ./box bench --json makes one of a build"
+        shift ;;
+      *) options+=("$1") ;;
+    esac
     shift
   done
   need "${BUILD_PACKAGES[@]}" "${BENCH_PACKAGES[@]}"
   # OpenCV may have come after the build was configured, by another way than this run's `need`.
   # shellcheck disable=SC2034  # ./box reads it before it configures.
   ! grep -qs '^OPENCV_.*-NOTFOUND$' $BUILD/CMakeCache.txt || installed=yes  # Read by build.
-  build release programs kaori-benchmark
+  build release programs kaori-benchmark test-performance
   if [ -f $BUILD_COSTS ]; then
     say "figures of builds are those that ./box bench --build measured on $(date -r $BUILD_COSTS '+%F %R')"
     options+=(--builds "$BUILD_COSTS")
   fi
-  exec $BIN/kaori-benchmark --pack $PACK "${options[@]}"
+  rm -f "$json"
+  local status=0
+  $BIN/kaori-benchmark --pack $PACK --json "$json" "${options[@]}" || status=$?
+  ! grep -qs '"frame.default.960x540.wall_ms"' "$json" || complete_look "$json" "$before"
+  return $status
+}
+
+# Speed is a part of what the look is to have: out/look.json gets it of a benchmark's figures, and of those of a build before
+# where there are any. complete_look FIGURES BEFORE
+complete_look() {
+  local -a before=()
+  [ -z "$2" ] || before=(--before "$2")
+  python3 -B tests/look/look_report.py $BIN out/look.json --bench "$1" "${before[@]}" || say "out/look.json is not whole, or misses a bar; see above"
 }
 
 fuzz() {

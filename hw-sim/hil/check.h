@@ -198,6 +198,8 @@ std::vector<Check> DiskChecks();
 std::vector<Check> PowerChecks();
 // A data partition that is ruined is mended, and the journal of an evening is kept.
 std::vector<Check> DataChecks();
+// A factory reset at the box.
+std::vector<Check> ResetChecks();
 // A company's own show, which a stick brings.
 std::vector<Check> StickChecks();
 // Damaged file systems, as of a stick, before the kernel's drivers.

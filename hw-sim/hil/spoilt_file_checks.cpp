@@ -24,8 +24,8 @@ struct Spoilt {
   const char* figure;  // For out/boot.json.
 };
 
-constexpr Spoilt kShow{"/usr/share/kaori/kaori.kaori", "show", "spoilt_show_gives_way_s"};
-constexpr Spoilt kStage{"/usr/bin/kaori-stage", "stage", "spoilt_stage_gives_way_s"};
+constexpr Spoilt kSpoiltShow{"/usr/share/kaori/kaori.kaori", "show", "spoilt_show_gives_way_s"};
+constexpr Spoilt kSpoiltStage{"/usr/bin/kaori-stage", "stage", "spoilt_stage_gives_way_s"};
 
 // What is to be seen here is a chain. Of a show: the kernel refuses the block, the stage ends by it twice, reads the whole show, finds
 // no copy (the box was never seen for a minute), and says so by a file; systemd then has kaori-update try the other slot. Of the
@@ -34,7 +34,7 @@ constexpr Spoilt kStage{"/usr/bin/kaori-stage", "stage", "spoilt_stage_gives_way
 // from then on.
 //
 // The machine of the first start ends by itself: QEMU does not start a PC again.
-Result<void> GivesWay(Scene& scene, const Spoilt& spoilt) {
+Result<void> SpoiltGivesWay(Scene& scene, const Spoilt& spoilt) {
   const auto pc = UpdatedPc::Make(scene);
   if (!pc) return tl::unexpected(pc.error());
   auto ok = pc->SpoilFile(scene.target.machine().options().image + "/root" + spoilt.file);
@@ -59,11 +59,11 @@ Result<void> GivesWay(Scene& scene, const Spoilt& spoilt) {
 }
 
 Result<void> SpoiltShowGivesWay(Scene& scene) {
-  return GivesWay(scene, kShow);
+  return SpoiltGivesWay(scene, kSpoiltShow);
 }
 
 Result<void> SpoiltStageGivesWay(Scene& scene) {
-  return GivesWay(scene, kStage);
+  return SpoiltGivesWay(scene, kSpoiltStage);
 }
 
 // The control: what is whole plays on, and its system stays.

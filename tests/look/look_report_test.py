@@ -26,6 +26,7 @@ class Completed(unittest.TestCase):
     def bench(self, name, small_ms, large_ms):
         metrics = [{"name": f"frame.default.{size}.{clock}_ms", "median": ms}
                    for size, ms in (("960x540", small_ms), ("1920x1080", large_ms)) for clock in ("cpu", "wall")]
+        metrics += [{"name": f"frame.default_over_lit_triangles.{size}.cpu", "median": over} for size, over in (("960x540", 1.9), ("1920x1080", 2.6))]
         (self.out / name).write_text(json.dumps({"metrics": metrics}))
         return str(self.out / name)
 
@@ -46,7 +47,12 @@ class Completed(unittest.TestCase):
 
     def test_speed_is_of_the_worse_size_beside_the_build_before(self):
         _, figures = self.report("--bench", self.bench("now.json", 20, 36), "--before", self.bench("before.json", 25, 40))
-        self.assertEqual((figures["look_fps_960x540"], figures["look_cpu_over_today"]), (50, 0.9))
+        self.assertEqual((figures["look_fps_960x540"], figures["look_cpu_over_today"], figures["look_over_bare"]), (50, 0.9, 2.6))
+
+    def test_a_goal_that_is_not_reached_is_said_and_is_no_fault(self):
+        done, _ = self.report("--bench", self.bench("now.json", 20, 36))
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("look_over_bare             2.6  (goal 2.0: not reached)", done.stdout)
 
     def test_what_misses_its_bar_fails_and_is_named(self):
         done, _ = self.report(repeats="431")

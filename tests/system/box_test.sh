@@ -59,6 +59,8 @@ expect "fuzz takes --seconds and a number" fuzz --seconds
 expect "fuzz takes --seconds and a number" fuzz --seconds soon
 expect "fuzz takes --seconds and a number" fuzz 60
 expect "--json wants the name of a file" bench --json
+expect "--before wants the name of a file" bench --before
+expect "there is no such file" bench --before nowhere.json
 expect "test takes one PATTERN" test a b
 expect "test knows no --loud" test --loud
 expect "test --bench takes --chosen" test --bench --loud

@@ -21,6 +21,11 @@ void Note(const std::filesystem::path& file, int looks) {
 
 }  // namespace
 
+Reason VainLook() {
+  return {"what looks at a new version hung, or ended before it had seen enough",
+          "新しい版を確かめるプログラムが止まったか、途中で終わりました"};
+}
+
 void BeginLook(const std::filesystem::path& file) {
   Note(file, 1);
 }

@@ -3,11 +3,12 @@
 
 #include <filesystem>
 
+#include "appliance/programs/update/reason.h"
+
 namespace kaori::update {
 
 // Why a system gives way that nobody could judge.
-inline constexpr const char* kVainLook =
-    "what looks at a new version hung, or ended before it had seen enough";
+Reason VainLook();
 
 // A system that is tried begins to be looked at. `file` is in memory: it is gone with this start of the machine. One that
 // cannot be written is one line in the log, and a look that hangs begins anew then.

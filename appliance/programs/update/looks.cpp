@@ -83,19 +83,20 @@ std::string_view ValueOf(std::string_view unit, std::string_view name) {
 
 }  // namespace
 
-std::string PictureFault(std::string_view shown, const std::vector<std::string_view>& expected) {
+Reason PictureFault(std::string_view shown, const std::vector<std::string_view>& expected) {
   const auto picture = ParsePpm(shown);
-  if (!picture) return "there is no picture of the face";
+  if (!picture) return {"there is no picture of the face", "顔の画面がありません"};
   double nearest = 255;
   for (const std::string_view file : expected)
     if (const auto wanted = ParsePpm(file)) nearest = std::min(nearest, Apart(*picture, *wanted));
   if (nearest < kMostApart) return {};
-  return fmt::format("the picture is not that of the face: {:.0f} of 255 apart", nearest);
+  return {fmt::format("the picture is not that of the face: {:.0f} of 255 apart", nearest),
+          fmt::format("画面が顔と違います（255のうち{:.0f}の差）", nearest)};
 }
 
 // Units are told by their names; the order in which systemctl gives them does not matter. One that it left out is a fault.
 // systemctl leaves an empty line between units.
-std::string ProgramsFault(std::string_view shown, std::size_t units) {
+Reason ProgramsFault(std::string_view shown, std::size_t units) {
   std::size_t seen = 0;
   while (!shown.empty()) {
     const std::size_t end = shown.find("\n\n");
@@ -104,10 +105,12 @@ std::string ProgramsFault(std::string_view shown, std::size_t units) {
     const std::string name(ValueOf(unit, "Id="));
     if (name.empty()) continue;
     ++seen;
-    if (ValueOf(unit, "ActiveState=") != "active") return name + " does not run";
-    if (ValueOf(unit, "NRestarts=") != "0") return name + " had to be started anew";
+    if (ValueOf(unit, "ActiveState=") != "active") return {name + " does not run", name + "が動いていません"};
+    if (ValueOf(unit, "NRestarts=") != "0")
+      return {name + " had to be started anew", name + "が起動し直されました"};
   }
-  return seen == units ? "" : "it is not known which programs run";
+  if (seen == units) return {};
+  return {"it is not known which programs run", "どのプログラムが動いているか分かりません"};
 }
 
 bool EndsAgainAndAgain(std::string_view shown) {
@@ -115,14 +118,13 @@ bool EndsAgainAndAgain(std::string_view shown) {
   return ParseNumber<int>(ValueOf(shown, "NRestarts=")).value_or(0) >= kTwice;
 }
 
-std::string DiskFault(std::string_view kernel_log) {
+Reason DiskFault(std::string_view kernel_log) {
   const std::size_t at = kernel_log.find(" is corrupted");
   if (at == kernel_log.npos) return {};
   const std::size_t begin = kernel_log.rfind("device-mapper", at);
-  return "the disk does not hold what was written: " +
-         std::string(begin == kernel_log.npos ? "a block is corrupted"
-                                              : kernel_log.substr(begin, at - begin)) +
-         (begin == kernel_log.npos ? "" : " is corrupted");
+  const std::string_view block = begin == kernel_log.npos ? "a block" : kernel_log.substr(begin, at - begin);
+  return {fmt::format("the disk does not hold what was written: {} is corrupted", block),
+          fmt::format("ディスクの内容が書いたものと違います（{}）", block)};
 }
 
 }  // namespace kaori::update

@@ -1,10 +1,12 @@
 // What is looked at while a system is tried: its picture, its programs, and whether its disk holds what it should.
-// Each gives what is wrong, in one line; empty: nothing. All pure.
+// Each gives what is wrong; empty: nothing. All pure.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "appliance/programs/update/reason.h"
 
 namespace kaori::update {
 
@@ -13,15 +15,15 @@ inline constexpr double kMostApart = 12;
 
 // The stage's picture and the pictures of which one is expected, all as PPM files. 600 places are compared, in units of
 // the picture's height from its middle, so that screens of different widths compare.
-std::string PictureFault(std::string_view shown, const std::vector<std::string_view>& expected);
+Reason PictureFault(std::string_view shown, const std::vector<std::string_view>& expected);
 
 // What `systemctl show --property=Id,ActiveState,NRestarts` says: each unit has to run, and none was started anew.
-std::string ProgramsFault(std::string_view shown, std::size_t units);
+Reason ProgramsFault(std::string_view shown, std::size_t units);
 
 // What `systemctl show --property=NRestarts` says of one unit: whether it was started anew twice or more.
 bool EndsAgainAndAgain(std::string_view shown);
 
 // The kernel's log: dm-verity names each block that is not what the root's hash says.
-std::string DiskFault(std::string_view kernel_log);
+Reason DiskFault(std::string_view kernel_log);
 
 }  // namespace kaori::update

@@ -111,7 +111,8 @@ kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running&
 void TellStatus(const Settings& settings, const kaori::update::Outcome& outcome) {
   using kaori::update::Language;
   const std::string text = Say(outcome.message, Language::kEnglish, outcome.version, outcome.detail) + "\n" +
-                           Say(outcome.message, Language::kJapanese, outcome.version) + "\n";
+                           Say(outcome.message, Language::kJapanese, outcome.version, outcome.japanese) +
+                           "\n";
   kaori::LogWarning("{}", text.substr(0, text.find('\n')));
   if (auto told = kaori::WriteWholeFile(fs::path(settings.said) / "notice", {kaori::AsBytes(text)}); !told)
     kaori::LogWarning("{}", told.error().message());
@@ -121,29 +122,30 @@ std::string PictureOf(const std::string& file) {
   return kaori::ReadFile(file, {.most_bytes = kMostPicture_bytes}).value_or("");
 }
 
-// The cheapest look comes first. Each gives one line, which becomes the reason where the system gives way: it is read by
-// whoever stands before the box, and by whoever made the update.
-// Looks at everything once. `seen` is when the picture of the look before was made: a stage that hangs makes no new one. `last` is the
-// last face that the system before has kept: what is tried keeps one of its own, which says nothing of it.
-std::string FaultNow(const Settings& settings, const std::string& last, fs::file_time_type& seen) {
+// Looks at everything once, the cheapest first: what is found becomes the reason where the system gives way. `seen` is when
+// the picture of the look before was made: a stage that hangs makes no new one. `last` is the last face that the system before
+// has kept: what is tried keeps one of its own, which says nothing of it.
+kaori::update::Reason FaultNow(const Settings& settings, const std::string& last, fs::file_time_type& seen) {
   std::vector<std::string> ask{settings.systemctl, "show", "--property=Id,ActiveState,NRestarts"};
   ask.insert(ask.end(), kPrograms.begin(), kPrograms.end());
   const auto programs = kaori::OutputOf(ask, kMostLog_bytes, kLongestAnswer);
-  if (!programs) return programs.error().message();
+  if (!programs) return {programs.error().message(), "プログラムの状態を調べられません"};
   if (auto fault = kaori::update::ProgramsFault(*programs, kPrograms.size()); !fault.empty()) return fault;
   const auto log = kaori::OutputOf({"/bin/journalctl", "-k", "-b", "--no-pager", "-o", "cat"}, kMostLog_bytes,
                                    kLongestAnswer);
   if (auto fault = kaori::update::DiskFault(log.value_or("")); !fault.empty()) return fault;
   std::error_code none;
   const auto made = fs::last_write_time(settings.picture, none);
-  if (none || std::exchange(seen, made) == made) return "the stage shows no new picture";
+  if (none || std::exchange(seen, made) == made)
+    return {"the stage shows no new picture", "ステージが新しい画面を出しません"};
   const std::string still = PictureOf(settings.still);
   return kaori::update::PictureFault(PictureOf(settings.picture), {still, last});
 }
 
 // The system that was tried stays, or keeps its reason and starts the one before.
-void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict, const std::string& reason,
-         kaori::ports::BootChoice& choice, kaori::update::Notes& notes, std::uint32_t version) {
+void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict,
+         const kaori::update::Reason& reason, kaori::ports::BootChoice& choice, kaori::update::Notes& notes,
+         std::uint32_t version) {
   if (verdict == kaori::update::Confirmation::Verdict::kStays) {
     const auto stays = ConfirmTried(choice, notes);
     if (stays) return TellStatus(settings, {Message::kConfirmed, version});
@@ -154,7 +156,7 @@ void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict,
   kaori::ExpectSlowDisk();
   if (auto kept = GiveWay(notes, reason, log.value_or("")); !kept)
     kaori::LogWarning("{}", kept.error().message());
-  kaori::LogError("this version gives way to the one before: {}", reason);
+  kaori::LogError("this version gives way to the one before: {}", reason.english);
   kaori::update::RestartMachine(settings.systemctl);
 }
 
@@ -203,7 +205,7 @@ int Confirm(const Settings& settings, const kaori::update::Running& running) {
   if (found.message != Message::kNothingWaits) TellStatus(settings, found);
   if (found.message != Message::kLooking) return 0;
   if (in_vain == 0) return LookOn(settings, **choice, *notes, found.version, *loop);
-  End(settings, kaori::update::Confirmation::Verdict::kGivesWay, kaori::update::kVainLook, **choice, *notes,
+  End(settings, kaori::update::Confirmation::Verdict::kGivesWay, kaori::update::VainLook(), **choice, *notes,
       found.version);
   return 0;
 }

@@ -2,18 +2,39 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace kaori::update {
 namespace {
 
-// Said where the tried system kept nothing: the kernel stopped, or the firmware started another system than it was told.
-constexpr std::string_view kWithoutAWord =
-    "it never came so far as to say why, or this PC forgets what it is to try";
-constexpr std::string_view kStarted =
-    "it started, and then the power went or it hung before its face was kept";
+// The second line of what is kept of a try begins with this, where it is the reason in Japanese; notes of before have the log there.
+constexpr std::string_view kInJapanese = "/ ";
 
-std::string FirstLine(const std::string& text) {
-  return text.substr(0, text.find('\n'));
+// Said where the tried system kept nothing: the kernel stopped, or the firmware started another system than it was told.
+Reason WithoutAWord() {
+  return {"it never came so far as to say why, or this PC forgets what it is to try",
+          "理由を残すまで起動できなかったか、このPCが指定を忘れます"};
+}
+
+Reason Started() {
+  return {"it started, and then the power went or it hung before its face was kept",
+          "起動したあと、顔を確かめる前に電源が切れたか止まりました"};
+}
+
+// One line each, since the screen shows them so.
+std::string Kept(const Reason& reason) {
+  std::string lines = reason.english + "\n" + std::string(kInJapanese) + reason.japanese;
+  std::replace(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(reason.english.size()), '\n', ' ');
+  return lines + "\n";
+}
+
+Reason ReadKept(const std::string& text) {
+  const std::size_t end = text.find('\n');
+  Reason reason{text.substr(0, end), {}};
+  if (end == text.npos || text.compare(end + 1, kInJapanese.size(), kInJapanese) != 0) return reason;
+  const std::size_t from = end + 1 + kInJapanese.size();
+  reason.japanese = text.substr(from, text.find('\n', from) - from);
+  return reason;
 }
 
 }  // namespace
@@ -68,16 +89,17 @@ Outcome AfterStart(ports::BootChoice& choice, Notes& notes) {
   }
   if (choice.running() == pending->slot) return {Message::kLooking, pending->version};
   if (pending->tries == 0) return {Message::kWaits, pending->version};
-  const std::string said = FirstLine(notes.ReadLastTry());
+  Reason said = ReadKept(notes.ReadLastTry());
+  if (said.empty()) said = WithoutAWord();
   return {pending->tries < kMostTries ? Message::kGaveWay : Message::kTriedOften, pending->version,
-          said.empty() ? std::string(kWithoutAWord) : said};
+          std::move(said.english), std::move(said.japanese)};
 }
 
 void NoteStart(Notes& notes) {
-  static_cast<void>(notes.KeepLastTry(kStarted));
+  static_cast<void>(notes.KeepLastTry(Kept(Started())));
 }
 
-Confirmation::Verdict Confirmation::Observe(const std::string& fault, Time now) {
+Confirmation::Verdict Confirmation::Observe(const Reason& fault, Time now) {
   if (verdict_ != Verdict::kLooking) return verdict_;
   if (!fault.empty()) {
     reason_ = fault;
@@ -98,11 +120,8 @@ Result<void> ConfirmTried(ports::BootChoice& choice, Notes& notes) {
   return notes.KeepLastTry("");
 }
 
-// One line for the reason, since the screen shows the first one.
-Result<void> GiveWay(Notes& notes, const std::string& reason, std::string_view log) {
-  std::string text = reason;
-  std::ranges::replace(text, '\n', ' ');
-  return notes.KeepLastTry(text + "\n" + std::string(log));
+Result<void> GiveWay(Notes& notes, const Reason& reason, std::string_view log) {
+  return notes.KeepLastTry(Kept(reason) + std::string(log));
 }
 
 }  // namespace kaori::update

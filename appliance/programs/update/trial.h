@@ -6,6 +6,7 @@
 
 #include "appliance/core/update/messages.h"
 #include "appliance/programs/update/notes.h"
+#include "appliance/programs/update/reason.h"
 #include "drivers/base/clock.h"
 #include "drivers/ports/boot_choice.h"
 
@@ -18,11 +19,13 @@ inline constexpr std::uint32_t kMostTries = 3;
 // that starts by itself (ConfirmTried), or it keeps why not (GiveWay) and the machine starts again, which is the slot before:
 // that one finds the reason and says it (AfterStart). Whatever is cut off on the way, the slot before starts by itself.
 
-// What is to be said, of which version, and why.
+// What is to be said, of which version, and why. `japanese` is the detail in that language; empty where there is no more than the
+// text of an error.
 struct Outcome {
   Message message = Message::kNothingWaits;
   std::uint32_t version = 0;
   std::string detail{};
+  std::string japanese{};
 };
 
 // Has the next start try what waits: kRestarts, and the machine is to be restarted then. The try is counted
@@ -68,14 +71,14 @@ class Confirmation {
   explicit Confirmation(Time began) : began_(began) {}
 
   // `fault` is what is not well at `now`; empty: nothing. A verdict stands.
-  Verdict Observe(const std::string& fault, Time now);
+  Verdict Observe(const Reason& fault, Time now);
   // The last fault; empty where there was none yet.
-  const std::string& reason() const { return reason_; }
+  const Reason& reason() const { return reason_; }
 
  private:
   Time began_;
   std::optional<Time> well_since_;
-  std::string reason_;
+  Reason reason_;
   Verdict verdict_ = Verdict::kLooking;
 };
 
@@ -84,6 +87,6 @@ class Confirmation {
 Result<void> ConfirmTried(ports::BootChoice& choice, Notes& notes);
 
 // Keeps why the tried system gives way, with the end of its log, for the one that starts next.
-Result<void> GiveWay(Notes& notes, const std::string& reason, std::string_view log);
+Result<void> GiveWay(Notes& notes, const Reason& reason, std::string_view log);
 
 }  // namespace kaori::update

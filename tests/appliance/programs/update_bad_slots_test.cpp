@@ -57,7 +57,7 @@ std::vector<BadSlot> BadSlots() {
 class BadSlotTest : public ::testing::Test {
  protected:
   // As kaori-update looks, every 5 s; without a look at the picture where the control wants it.
-  static std::string FaultOf(const BadSlot& slot, seconds at, bool looks_at_picture) {
+  static Reason FaultOf(const BadSlot& slot, seconds at, bool looks_at_picture) {
     if (auto fault = ProgramsFault(slot.units, 1); !fault.empty()) return fault;
     if (!looks_at_picture) return {};
     return PictureFault(at < slot.shows_after ? std::string() : slot.picture, {kWanted});
@@ -94,6 +94,7 @@ TEST_F(BadSlotTest, GivesWayAfterOneTryAndSaysWhy) {
     const Outcome found = AfterStart(choice_, notes_);
     EXPECT_EQ(found.message, Message::kGaveWay) << slot.name;
     EXPECT_THAT(found.detail, HasSubstr(slot.reason)) << slot.name;
+    EXPECT_FALSE(found.japanese.empty()) << slot.name;
     ASSERT_TRUE(notes_.pending) << slot.name;
     most_tries = std::max(most_tries, static_cast<int>(notes_.pending->tries));
   }

@@ -117,6 +117,22 @@ TEST_F(UpdateInstallation, ForgetsWhatWaitedBeforeItsFirstWrite) {
   EXPECT_EQ(notes_.pending, std::nullopt);
 }
 
+// At each reading once; a whole update has some dozens.
+TEST_F(UpdateInstallation, OfAStickThatIsPulledAtAnyReadingLeavesNothingThatWaitsOrStarts) {
+  const Bytes kernel = OnDisk(kKernelB, kKernel);
+  std::size_t readings = 0;
+  for (Message message = Message::kPulled; message == Message::kPulled; ++readings) {
+    ASSERT_TRUE(OnDisk(kKernelB, kKernel) == kernel) << "after " << readings << " readings";
+    ASSERT_EQ(notes_.pending, std::nullopt);
+    auto pulled = std::make_unique<SimulatedSource>(BundleOf(6));
+    pulled->readings_left = readings;
+    message = Install(std::move(pulled)).message;
+    ASSERT_LT(readings, 1000U);
+  }
+  EXPECT_TRUE(notes_.pending) << "with all of its readings it comes in";
+  EXPECT_GE(readings, 5U);
+}
+
 TEST_F(UpdateInstallation, FindsAStickThatGivesAnotherFileTheSecondTime) {
   for (const std::uint32_t version : {6U, 7U}) {
     auto other = std::make_unique<SimulatedSource>(BundleOf(6));
@@ -130,7 +146,8 @@ TEST_F(UpdateInstallation, FindsAStickThatGivesAnotherFileTheSecondTime) {
 // Root and verity are those that were promised, so that a foreign kernel on the disk would start with them.
 TEST_F(UpdateInstallation, WritesNoByteOfAKernelThatBecameAnotherOneSinceTheFirstReading) {
   const Bytes honest = BundleOf(6);
-  const Manifest manifest = ReadManifest(SimulatedSource(honest)).value();
+  SimulatedSource source(honest);
+  const Manifest manifest = ReadManifest(source).value();
   const PackedPart kernel = manifest.part(Part::kKernelB);
   const Bytes before = OnDisk(kKernelB, kKernel);
   const std::size_t at = kHeader_bytes + manifest.PackedAt(Part::kKernelB);

@@ -41,12 +41,16 @@ TEST_F(UpdateTrial, StartsTheOtherSlotOnceAndKeepsItWhenItDoesWell) {
 TEST_F(UpdateTrial, ThatGivesWayComesBackAndSaysWhy) {
   BeginTry(choice_, notes_);
   choice_.SwitchOn();
-  ASSERT_TRUE(GiveWay(notes_, "kaori-lips.service does not run\nat all", "its log"));
+  ASSERT_TRUE(GiveWay(notes_, {"kaori-lips.service does not run\nat all", "動きません"}, "its log"));
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
   const auto found = AfterStart(choice_, notes_);
   EXPECT_EQ(found.message, Message::kGaveWay);
   EXPECT_EQ(found.version, 6U);
   EXPECT_EQ(found.detail, "kaori-lips.service does not run at all");
+  EXPECT_EQ(found.japanese, "動きません");
+  notes_.last_try = "of a box of before\nits log";
+  EXPECT_EQ(AfterStart(choice_, notes_).detail, "of a box of before");
+  EXPECT_EQ(AfterStart(choice_, notes_).japanese, "") << "which is no line of its log";
 }
 
 TEST_F(UpdateTrial, ThatDiesWithoutAWordIsToldOfAsWell) {
@@ -57,6 +61,7 @@ TEST_F(UpdateTrial, ThatDiesWithoutAWordIsToldOfAsWell) {
   const auto found = AfterStart(choice_, notes_);
   EXPECT_EQ(found.message, Message::kGaveWay);
   EXPECT_THAT(found.detail, HasSubstr("never came so far"));
+  EXPECT_THAT(found.japanese, HasSubstr("起動できなかった"));
 }
 
 TEST_F(UpdateTrial, ThatIsCutOffIsToldFromOneThatNeverStarted) {
@@ -149,23 +154,25 @@ TEST_F(UpdateTrial, WhoseNoteOutlivesItsConfirmationIsOver) {
 TEST(UpdateConfirmation, WantsAMinuteOnEndWithoutAFault) {
   const Time began = ManualClock().now();
   Confirmation confirmation(began);
-  EXPECT_EQ(confirmation.Observe("", began), Verdict::kLooking);
-  EXPECT_EQ(confirmation.Observe("", began + seconds(59)), Verdict::kLooking);
-  EXPECT_EQ(confirmation.Observe("no picture", began + seconds(60)), Verdict::kLooking);
-  EXPECT_EQ(confirmation.Observe("", began + seconds(65)), Verdict::kLooking);
-  EXPECT_EQ(confirmation.Observe("", began + seconds(124)), Verdict::kLooking);
-  EXPECT_EQ(confirmation.Observe("", began + seconds(125)), Verdict::kStays);
-  EXPECT_EQ(confirmation.Observe("too late", began + seconds(500)), Verdict::kStays);
+  EXPECT_EQ(confirmation.Observe({}, began), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe({}, began + seconds(59)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe({"no picture", "画面なし"}, began + seconds(60)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe({}, began + seconds(65)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe({}, began + seconds(124)), Verdict::kLooking);
+  EXPECT_EQ(confirmation.Observe({}, began + seconds(125)), Verdict::kStays);
+  EXPECT_EQ(confirmation.Observe({"too late", "遅すぎ"}, began + seconds(500)), Verdict::kStays);
 }
 
 TEST(UpdateConfirmation, GivesWayAfterThreeMinutesWithItsLastFault) {
   const Time began = ManualClock().now();
   Confirmation confirmation(began);
   for (int at = 0; at < 180; at += 5)
-    EXPECT_EQ(confirmation.Observe(at % 50 == 0 ? "it flickers" : "", began + seconds(at)), Verdict::kLooking)
+    EXPECT_EQ(
+        confirmation.Observe(at % 50 == 0 ? Reason{"it flickers", "点滅"} : Reason{}, began + seconds(at)),
+        Verdict::kLooking)
         << at;
-  EXPECT_EQ(confirmation.Observe("", began + seconds(180)), Verdict::kGivesWay);
-  EXPECT_EQ(confirmation.reason(), "it flickers");
+  EXPECT_EQ(confirmation.Observe({}, began + seconds(180)), Verdict::kGivesWay);
+  EXPECT_EQ(confirmation.reason(), (Reason{"it flickers", "点滅"}));
 }
 
 std::string Picture(int width, int height, int at, std::uint8_t inside, std::uint8_t outside) {
@@ -181,34 +188,36 @@ std::string Picture(int width, int height, int at, std::uint8_t inside, std::uin
 
 TEST(UpdateLooks, KnowAFaceOnScreensOfOtherSizesAndShapes) {
   const std::string still = Picture(960, 540, 0, 200, 40);
-  EXPECT_EQ(PictureFault(Picture(960, 540, 0, 200, 40), {still}), "");
-  EXPECT_EQ(PictureFault(Picture(640, 480, 0, 204, 44), {still}), "");
-  EXPECT_EQ(PictureFault(Picture(300, 200, 1, 200, 40), {"", still}), "") << "it breathes";
+  EXPECT_TRUE(PictureFault(Picture(960, 540, 0, 200, 40), {still}).empty());
+  EXPECT_TRUE(PictureFault(Picture(640, 480, 0, 204, 44), {still}).empty());
+  EXPECT_TRUE(PictureFault(Picture(300, 200, 1, 200, 40), {"", still}).empty()) << "it breathes";
 }
 
 TEST(UpdateLooks, FindABlackPictureAnotherFaceAndNone) {
   const std::string still = Picture(960, 540, 0, 200, 40);
-  EXPECT_THAT(PictureFault(Picture(960, 540, 0, 0, 0), {still}), HasSubstr("not that of the face"));
-  EXPECT_THAT(PictureFault(Picture(960, 540, 40, 200, 40), {still}), HasSubstr("not that of the face"));
-  EXPECT_THAT(PictureFault("", {still}), HasSubstr("no picture"));
-  EXPECT_THAT(PictureFault(still.substr(0, still.size() - 1), {still}), HasSubstr("no picture"));
-  EXPECT_THAT(PictureFault("P6\n99999 1\n255\n", {still}), HasSubstr("no picture"));
-  EXPECT_THAT(PictureFault(still, {}), HasSubstr("not that of the face"));
+  EXPECT_THAT(PictureFault(Picture(960, 540, 0, 0, 0), {still}).english, HasSubstr("not that of the face"));
+  EXPECT_THAT(PictureFault(Picture(960, 540, 40, 200, 40), {still}).english,
+              HasSubstr("not that of the face"));
+  EXPECT_THAT(PictureFault("", {still}).english, HasSubstr("no picture"));
+  EXPECT_THAT(PictureFault(still.substr(0, still.size() - 1), {still}).english, HasSubstr("no picture"));
+  EXPECT_THAT(PictureFault("P6\n99999 1\n255\n", {still}).english, HasSubstr("no picture"));
+  EXPECT_THAT(PictureFault(still, {}).english, HasSubstr("not that of the face"));
 }
 
 TEST(UpdateLooks, FindAProgramThatDoesNotRunOrWasStartedAnew) {
   const std::string stage = "Id=kaori-stage.service\nNRestarts=0\nActiveState=active\n";
-  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=active\n", 2), "");
-  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=1\nActiveState=active\n", 2),
+  EXPECT_TRUE(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=active\n", 2).empty());
+  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=1\nActiveState=active\n", 2).english,
             "kaori-lips.service had to be started anew");
-  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=activating\n", 2),
-            "kaori-lips.service does not run");
-  EXPECT_EQ(ProgramsFault(stage, 2), "it is not known which programs run");
+  EXPECT_EQ(
+      ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=activating\n", 2).english,
+      "kaori-lips.service does not run");
+  EXPECT_EQ(ProgramsFault(stage, 2).english, "it is not known which programs run");
 }
 
 TEST(UpdateLooks, FindABlockThatFailedVerity) {
-  EXPECT_EQ(DiskFault("a\nb\n"), "");
-  EXPECT_THAT(DiskFault("a\ndevice-mapper: verity: 253:0: data block 12 is corrupted\n"),
+  EXPECT_TRUE(DiskFault("a\nb\n").empty());
+  EXPECT_THAT(DiskFault("a\ndevice-mapper: verity: 253:0: data block 12 is corrupted\n").english,
               HasSubstr("verity: 253:0: data block 12 is corrupted"));
 }
 
