@@ -28,10 +28,10 @@ install(FILES ${units} DESTINATION ${KAORI_UNIT_DIR})
 install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori-shows.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR}
         PATTERN mend-data.service EXCLUDE PATTERN kaori-desk.path EXCLUDE PATTERN kaori-update.socket EXCLUDE PATTERN kaori-confirm.service EXCLUDE PATTERN kaori-other.path EXCLUDE PATTERN kaori-other.timer EXCLUDE PATTERN kaori-reset.service EXCLUDE)
 
+# Which target starts is for the system to say (systemctl set-default kaori.target): its default.target is the file of systemd's package.
 if(KAORI_BOX_SYSTEM)
   install(FILES ${overlay}/systemd/system/var-lib-kaori.mount ${overlay}/systemd/system/mend-data.service DESTINATION ${KAORI_UNIT_DIR})
   install(FILES ${overlay}/systemd/system/kaori.target.wants/mend-data.service DESTINATION ${KAORI_UNIT_DIR}/kaori.target.wants)
-  install(FILES ${overlay}/systemd/system/default.target DESTINATION ${KAORI_UNIT_DIR})
 else()
   # Beside whatever else the system does: `systemctl enable kaori.target` starts the show with it, and its data have a folder.
   install(FILES ${PROJECT_SOURCE_DIR}/rootfs/tmpfiles.conf DESTINATION ${KAORI_TMPFILES_DIR} RENAME kaori.conf)

@@ -19,6 +19,7 @@ class Board(NamedTuple):
     arch: str  # Of architectures.py.
     drivers: str  # Mesa's Gallium drivers, with commas; swrast draws by the processor where its own does not come up.
     opened: str  # The driver that the stage opens, below the folder of libraries.
+    command_line: str  # Of the kernel, besides what all images have.
     device_tree: str  # In the kernel's source, below arch/.../boot/dts.
     firmware: tuple  # Files of the maker's without which it does not start.
     licence: str  # Of these files, beside them.
@@ -26,7 +27,8 @@ class Board(NamedTuple):
 
 
 NAMED = {row.name: row for row in (
-    Board("rpi4", "Raspberry Pi 4", "arm64", "v3d,vc4,swrast", "dri/vc4_dri.so", "broadcom/bcm2711-rpi-4-b.dtb",
+    # Its device tree keeps 64 MB for pictures, of which a screen of 3840 x 2160 needs three of 33 and textures besides.
+    Board("rpi4", "Raspberry Pi 4", "arm64", "v3d,vc4,swrast", "dri/vc4_dri.so", "cma=256M", "broadcom/bcm2711-rpi-4-b.dtb",
           ("start4.elf", "fixup4.dat"), "LICENCE.broadcom", "the folder boot of https://github.com/raspberrypi/firmware"),
 )}
 

@@ -92,7 +92,7 @@ def hash_root(out, image):
     return tree, next(line.split()[-1] for line in shown.splitlines() if line.startswith("Root hash"))
 
 
-def command_line(image, root_hash, slot, medium=DISK):
+def command_line(image, root_hash, slot, medium=DISK, board=None):
     """The kernel itself sets up the verified root: no program runs before. The tree's first block is its header.
 
     A kernel that is to find its root on USB lets in what is plugged in there; kaori-boot, its first program, ends that."""
@@ -100,9 +100,10 @@ def command_line(image, root_hash, slot, medium=DISK):
     ids = {name: uuid for name, _, _, uuid in LAYOUT}
     root, tree = f"PARTUUID={ids[f'root-{slot}']}", f"PARTUUID={ids[f'verity-{slot}']}"
     table = f"0 {blocks * BLOCK // SECTOR} verity 1 {root} {tree} {BLOCK} {BLOCK} {blocks} 1 {DIGEST} {root_hash} {SALT}"
+    words = f"{boards.NAMED[board].command_line} " if board else ""
     return f'dm-mod.waitfor={root},{tree} dm-mod.create="root,,,ro,{table}" root=/dev/dm-0 rootfstype=erofs ro ' \
            f"init=/usr/bin/kaori-boot usbcore.authorized_default={int(medium == USB)} quiet loglevel=3 panic=5 " \
-           f"rauc.slot={slot.upper()}"
+           f"{words}rauc.slot={slot.upper()}"
 
 
 def folder_of(name, user):
@@ -203,7 +204,7 @@ def main():
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
     for slot in esp.SLOTS:
-        (out / esp.command_line_name(slot)).write_text(command_line(image, root_hash, slot, args.medium) + "\n")
+        (out / esp.command_line_name(slot)).write_text(command_line(image, root_hash, slot, args.medium, args.board) + "\n")
     boot = make_boot(args, arch, sizes_mib["boot"])
     data = make_data(out, sizes_mib["data"])
     write_disk(out, layout, {**boot, "data": data, **{f"root-{slot}": image for slot in esp.SLOTS},

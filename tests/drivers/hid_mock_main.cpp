@@ -9,7 +9,8 @@
 namespace {
 
 constexpr const char* kPreload = "libumockdev-preload.so.0";
-constexpr const char* kMarker = "KAORI_IN_MOCK_KERNEL";  // We have already run ourselves again.
+// We have already run ourselves again; or need not, where nothing of the fake kernel's is tested (rootfs/toolchains/cross.sh).
+constexpr const char* kMarker = "KAORI_IN_MOCK_KERNEL";
 
 std::string Preloads() {
   const char* others = std::getenv("LD_PRELOAD");

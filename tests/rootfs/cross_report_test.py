@@ -2,6 +2,7 @@
 """The report on builds for other processors: what nobody measured is null and never 0, a failure is one, and all programs of the
 tree count."""
 
+import re
 import tempfile
 from pathlib import Path
 
@@ -34,7 +35,8 @@ def bounds_hold():
     unseen = {"boots_arm64": None, "image_no_llvm_mb": None}
     assert faults(is_whole=False, **unseen) == [], "other runs measure them"
     assert faults(**unseen) == ["boots_arm64 was not measured; ./box test --bench --arch arm64 does",
-                                "image_no_llvm_mb was not measured; ./box image --board rpi4 --arch arm64 does"]
+                                "image_no_llvm_mb was not measured; ./box image --arch arm64 --board rpi4 --board-firmware FOLDER does"]
+    assert cross_report.RUNS["image_no_llvm_mb"] in (ROOT / "docs/boards.md").read_text(), "a command that is not refused"
     large = {"image_no_llvm_mb": 35.2}
     assert faults(**large) == [], "a goal is no bound"
     assert list(cross_report.bounded_report.short_of_goals(large, cross_report.GOALS)) == [
@@ -47,9 +49,19 @@ def all_programs_count():
     assert not [name for name in names if not name.startswith("kaori-")], names
 
 
+def only_what_cannot_run_is_left_out():
+    left_out = re.search(r"NOT_EMULATED='(.+)'", (ROOT / "rootfs/toolchains/cross.sh").read_text())[1]
+    contract = "contracts: HidChannels/HidChannelContract.SendsWhatItWasGiven/"
+    for name, is_run in ((f"{contract}Libusb", False), (f"{contract}Hidraw", True), (f"{contract}Local", True),
+                         ("contracts: Loaders/BootChoiceContract.StartsTheOther/Tryboot", True), ("drivers-mock: Hidraw.IsFound", False),
+                         ("drivers: Gpio.Line", True), ("golden: every scene", False), ("rules: every file has its shape", False)):
+        assert bool(re.search(left_out, name)) != is_run, name
+
+
 def main():
     bounds_hold()
     all_programs_count()
+    only_what_cannot_run_is_left_out()
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder)
         assert set(cross_report.of_the_bench(out).values()) == {None}, "nothing ran"

@@ -16,6 +16,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+import layer_system
+
 LAYER = Path("rootfs/yocto/meta-kaori")
 KAS = Path("rootfs/yocto/kas")
 RECIPE = LAYER / "recipes-kaori/kaori-box/kaori-box_git.bb"
@@ -25,6 +27,12 @@ KAS_SCHEMA = Path("/usr/lib/python3/dist-packages/kas/schema-kas.json")
 PATHS = {"bindir": "/usr/bin", "datadir": "/usr/share", "systemd_system_unitdir": "/usr/lib/systemd/system",
          "nonarch_base_libdir": "/usr/lib", "nonarch_libdir": "/usr/lib", "PN": "kaori-box"}
 USUAL_FILES = ["/usr/bin/*"]
+
+
+def listed(name):
+    """The fields of each line of a file beside this one."""
+    lines = Path(__file__).with_name(name).read_text().splitlines()
+    return [line.split() for line in lines if line and line[0] != "#"]
 
 
 def variables(text):
@@ -51,20 +59,29 @@ def options_unknown(root, build):
             yield f"{RECIPE}: cmake knows no option {option}"
 
 
+def is_native_too(text):
+    return "native" in value_of(text, "BBCLASSEXTEND").split()
+
+
+def names_wanted(text):
+    """Recipes and packages that a recipe asks for; where it is built for the machine that builds too, its DEPENDS as `-native` besides."""
+    wanted = value_of(text, "DEPENDS", "RDEPENDS", "RRECOMMENDS", "IMAGE_INSTALL", "WKS_FILE_DEPENDS").split()
+    for name, value in variables(text):
+        if name.startswith("PACKAGECONFIG["):
+            wanted += " ".join(value.split(",")[2:5]).split()  # For the build, for the running box, and what is recommended there.
+        if is_native_too(text) and name.split(":")[0] == "DEPENDS" and "class-target" not in name:
+            wanted += [f"{each}-native" for each in value.split() if not each.endswith("-native")]
+    return [name for name in wanted if not name.startswith("${")]
+
+
 def names_unknown(root):
-    recipes = sorted((root / LAYER).glob("recipes-*/*/*.bb"))
-    own = {re.split("_", path.stem)[0] for path in recipes}
-    listed = Path(__file__).with_name("oe_names.txt").read_text()
-    known = own | {line.split()[0] for line in listed.splitlines() if line and line[0] != "#"} | {"kaori-box-boot"}
-    for path in recipes:
-        text = path.read_text()
-        wanted = value_of(text, "DEPENDS", "RDEPENDS", "RRECOMMENDS", "IMAGE_INSTALL", "WKS_FILE_DEPENDS").split()
-        for name, value in variables(text):
-            if name.startswith("PACKAGECONFIG["):
-                wanted += (value.split(",") + ["", ""])[2].split()
-        for name in wanted:
-            if not name.startswith("${") and re.sub("-native$", "", name) not in known:
-                yield f"{path.relative_to(root)}: nobody is known to have {name}"
+    recipes = {path: path.read_text() for path in sorted((root / LAYER).glob("recipes-*/*/*.bb"))}
+    known = {"kaori-box-boot"} | {path.stem.split("_")[0] for path in recipes}
+    known |= {path.stem.split("_")[0] + "-native" for path, text in recipes.items() if is_native_too(text)}
+    for name, _, *native in listed("oe_names.txt"):
+        known |= {name, f"{name}-native"} if native else {name}
+    for path, text in recipes.items():
+        yield from (f"{path.relative_to(root)}: nobody is known to have {name}" for name in names_wanted(text) if name not in known)
 
 
 @functools.cache
@@ -115,13 +132,14 @@ def licence_changed(root):
 
 
 def disk_differs(root):
-    """Slots, sizes and ids are those of the image that we build ourselves."""
+    """Slots, sizes and ids are those of the image that we build ourselves; but a Raspberry Pi's first partition holds what its BSP has."""
     sys.path.insert(0, str(root / "rootfs/image"))
     import pack
     wanted = [(size, uuid) for _, size, _, uuid in pack.LAYOUT]
     for wks in sorted((root / LAYER / "wic").glob("*.wks")):
         found = [(int(size), uuid) for size, uuid in re.findall(r"(?m)^part .*--fixed-size (\d+)M\b.*--uuid (\S+)", wks.read_text())]
-        if found != wanted:
+        is_boards = "bootimg-partition" in wks.read_text()
+        if found[is_boards:] != wanted[is_boards:] or len(found) != len(wanted):
             yield f"{wks.relative_to(root)}: its partitions are not those of rootfs/image/pack.py"
 
 
@@ -164,6 +182,7 @@ def offences(root, build, modules=None):
     yield from licence_changed(root)
     yield from disk_differs(root)
     yield from kas_files(root)
+    yield from layer_system.offences(root, installed(build), listed("oe_paths.txt"))
     if modules:
         yield from grammar(root, modules)
         yield from against_schema(root)

@@ -18,6 +18,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).parent))
 import layer  # noqa: E402
 
+OF_IMAGE = layer.layer_system.IMAGE
 # (file, what stands there, what is put in its place, what is then said).
 SEEDED = (
     (layer.RECIPE, "-DKAORI_SIMULATOR=OFF", "-DKAORI_SIMULATION=OFF", "cmake knows no option KAORI_SIMULATION"),
@@ -32,6 +33,26 @@ SEEDED = (
     (layer.KAS / "qemuarm64.yml", "- kaori-box.yml", "- kaori-bax.yml", "there is no kaori-bax.yml"),
     (layer.KAS / "kaori-box.yml", "target: kaori-box-image", "target: kaori-image", "there is no image kaori-image"),
     (Path("rootfs/overlay/usr/lib/systemd/system/kaori.target"), "[Install]", "[Unit]", "has no [Install]"),
+    (Path("rootfs/install.cmake"), "${overlay}/systemd/system/mend-data.service", "${overlay}/systemd/system/default.target",
+     "/usr/lib/systemd/system/default.target is a file of the package systemd"),
+    (Path("rootfs/install.cmake"), "${overlay}/systemd/system/kaori-.service.d", "${overlay}/systemd/system/sysinit.target.wants",
+     "/usr/lib/systemd/system/sysinit.target.wants/systemd-udevd.service is a file of the package systemd"),
+    (OF_IMAGE, "\"kaori.target\"", "\"kaori.service\"", "the system starts kaori.service, which is no target of the box"),
+    (OF_IMAGE, "SYSTEMD_DEFAULT_TARGET", "DEFAULT_TARGET", "the system starts multi-user.target, which is no target"),
+    (Path("rootfs/overlay/usr/lib/systemd/system/kaori.target"), "Requires=basic.target", "Requires=multi-user.target", "wants what wants a getty"),
+    (layer.KAS / "kaori-box.yml", "/var/volatile/cache /var/cache", "/var/volatile/lib /var/lib", "lays memory over /var/lib, and so over /var/lib/kaori"),
+    (layer.KAS / "kaori-box.yml", "VOLATILE_BINDS", "VOLATILES", "VOLATILE_BINDS is not set"),
+    (layer.KAS / "qemuarm64.yml", "init=/usr/bin/kaori-boot", "init=/sbin/init", "qemuarm64.yml: the kernel is not told init=/usr/bin/kaori-boot"),
+    (layer.KAS / "qemuarm64.yml", "/dev/vda2 ro", "/dev/vda ro", "QB_KERNEL_ROOT is not /dev/vda2 ro"),
+    (layer.KAS / "qemuarm64.yml", "QB_DEFAULT_FSTYPE = \"wic\"", "QB_DEFAULT_FSTYPE = \"ext4\"", "QB_DEFAULT_FSTYPE is not wic"),
+    (layer.KAS / "raspberrypi4-64.yml", " usbcore.authorized_default=0", "", "raspberrypi4-64.yml: the kernel is not told usbcore.authorized_default=0"),
+    (layer.LAYER / "recipes-support/qhull/qhull_2020.2.bb", ";striplevel=1", "", "its archive is not unpacked where S points to"),
+    (layer.LAYER / "wic/kaori-box-raspberrypi.wks", "--fixed-size 384M", "--fixed-size 385M", "kaori-box-raspberrypi.wks: its partitions are not those"),
+    (layer.LAYER / "conf/layer.conf", "\"scarthgap\"", "\"scarthgap wrynose\"", "it claims scarthgap wrynose, and scarthgap is fetched"),
+    (layer.RECIPE, "harfbuzz-native", "alsa-lib-native", "nobody is known to have alsa-lib-native"),
+    (layer.RECIPE, "fmt freetype glm", "fmt freetype gnutls", "nobody is known to have gnutls-native"),
+    (layer.RECIPE, "e2fsprogs-mke2fs", "e2fsprogs-mkfs", "nobody is known to have e2fsprogs-mkfs"),
+    (layer.LAYER / "recipes-support/qhull/qhull_2020.2.bb", "BBCLASSEXTEND = \"native\"", "", "nobody is known to have qhull-native"),
 )
 # The same, of what only the grammar of recipes finds, and of what only kas's schema does.
 OF_GRAMMAR = (

@@ -136,6 +136,13 @@ class Disk(WithFolder):
         self.assertEqual(len(sectors), 1)
         self.assertEqual(image.read_bytes()[sectors[0] * 512:][:size].decode(), pi_boot.autoboot("a"))
 
+    def test_the_kernel_of_a_board_keeps_memory_for_pictures_and_that_of_a_pc_does_not(self):
+        with tempfile.NamedTemporaryFile() as root:
+            root.write(bytes(pack.BLOCK))
+            root.flush()
+            board, pc = (pack.command_line(Path(root.name), "ab12", "a", board=name).split() for name in ("rpi4", None))
+        self.assertEqual(set(board) ^ set(pc), {"cma=256M"})
+
     def test_made_again_is_the_same(self):
         first = {name: path.read_bytes() for name, path in self.made().items()}
         self.assertEqual({name: path.read_bytes() for name, path in self.made().items()}, first)

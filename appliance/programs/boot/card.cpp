@@ -5,12 +5,17 @@
 #include <libdrm/drm_mode.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cstdint>
 #include <optional>
+#include <string>
+
+#include "drivers/base/folder.h"
 
 namespace kaori::boot {
 namespace {
@@ -172,6 +177,17 @@ bool Card::IsShown(const std::vector<Splash>& pictures) const {
     now.crtc_id = splash.crtc;
     return Ioctl(fd_.get(), DRM_IOCTL_MODE_GETCRTC, &now) && now.fb_id == splash.framebuffer;
   });
+}
+
+void GiveCards(const std::filesystem::path& folder, gid_t shows, gid_t draws) {
+  constexpr uid_t kSameOwner = -1;
+  constexpr mode_t kGroupsToo = 0660;
+  for (const auto& file : ListFolder(folder).value_or(std::vector<std::filesystem::path>{})) {
+    const std::string name = file.filename().string();
+    const bool is_card = name.starts_with("card");
+    if (!is_card && !name.starts_with("renderD")) continue;
+    if (::chown(file.c_str(), kSameOwner, is_card ? shows : draws) == 0) ::chmod(file.c_str(), kGroupsToo);
+  }
 }
 
 }  // namespace kaori::boot

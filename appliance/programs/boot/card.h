@@ -2,7 +2,10 @@
 // kernel's oldest mode-setting calls, without any library.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "appliance/programs/boot/still.h"
@@ -41,5 +44,9 @@ class Card {
   // Not valid where the card could not be opened. Closing it would clear the screens.
   UniqueFd fd_;
 };
+
+// Lets one group show on all cards, and another draw by all, before udev, which runs later, does the same. `folder` is /dev/dri. A file that
+// cannot be given away stays as it is.
+void GiveCards(const std::filesystem::path& folder, gid_t shows, gid_t draws);
 
 }  // namespace kaori::boot

@@ -32,6 +32,7 @@
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
 #include "appliance/programs/boot/usb_medium.h"
+#include "drivers/base/graphics_cards.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/root_disk.h"
 #include "drivers/base/whole_file.h"
@@ -55,7 +56,7 @@ constexpr const char* kShows = "/var/lib/kaori/shows";
 constexpr const char* kKnownShaders = "/usr/share/kaori/shaders.known";
 constexpr const char* kStageFolder = "/run/kaori";  // Where its unit tells Mesa to keep shaders.
 constexpr const char* kAhead = "/usr/share/kaori/ahead";
-constexpr const char* kCard = "/dev/dri/card0";
+constexpr const char* kCards = "/dev/dri";
 constexpr const char* kData = "/var/lib/kaori";
 constexpr const char* kZones = "/usr/share/zoneinfo";
 constexpr const char* kProfiles = "/run/kaori-profile";
@@ -95,27 +96,23 @@ std::optional<kaori::boot::Still> ChooseStill() {
   return last ? last : kaori::boot::ReadStill(Map(kStill));
 }
 
-// `mounted` is closed when the data partition is there; `done` is closed when the card is free for the stage.
+// `mounted` is closed when the data partition is there, and before it /sys; `done` is closed when the card is free for the stage.
+// Where the kernel's list cannot be read, or has no screens yet, the first card is asked: that does no harm.
 void ShowSplash(const UniqueFd& mounted, UniqueFd done) {
   kaori::boot::AwaitClose(mounted, kLongestMount_ms);
   const auto still = ChooseStill();
   if (!still) return;
-  const kaori::boot::Card card(kCard);
+  const std::string name = kaori::CardWithScreens("/sys/class/drm").value_or("card0");
+  const kaori::boot::Card card((std::string(kCards) + "/" + name).c_str());
   const auto shown = card.ShowOnAll(*still);
   card.DropMaster();
   done.reset();
   AwaitStage(card, shown);
 }
 
-// Lets the stage's groups use the cards before udev, which runs later, does the same.
-void GiveCards() {
-  constexpr gid_t kVideo = 44;  // As the root's etc/group has them.
-  constexpr gid_t kRender = 102;
-  constexpr mode_t kGroupsToo = 0660;
-  constexpr const char* kRenderNode = "/dev/dri/renderD128";
-  if (::chown(kCard, 0, kVideo) == 0) ::chmod(kCard, kGroupsToo);
-  if (::chown(kRenderNode, 0, kRender) == 0) ::chmod(kRenderNode, kGroupsToo);
-}
+// The stage's groups, as the root's etc/group has them.
+constexpr gid_t kVideo = 44;
+constexpr gid_t kRender = 102;
 
 using kaori::boot::Report, kaori::boot::Trouble;
 
@@ -267,7 +264,7 @@ void Boot() {
   if (const auto said = keeps ? kaori::boot::Reset(kData) : ""; !said.empty()) Report(said);
   if (keeps) Restore();
   mounted->write_end.reset();
-  GiveCards();
+  kaori::boot::GiveCards(kCards, kVideo, kRender);
   for (const auto& [line, trouble] : kaori::boot::PcFaults(kStill, kData)) Report(line, trouble);
   const std::string wanted_name = ApplySettings();
   KeepMedium();

@@ -31,6 +31,8 @@
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/alarm.h"
 #include "drivers/base/event_loop.h"
+#include "drivers/base/folder.h"
+#include "drivers/base/graphics_cards.h"
 #include "drivers/base/log.h"
 #include "drivers/base/loop_watchdog.h"
 #include "drivers/base/program.h"
@@ -52,7 +54,12 @@ using Settings = kaori::stage::StageOptions;
 // again.
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
-  auto card = kaori::scanout::KmsCard::Open(settings.card, settings.fdkeeper);
+  const std::string file = kaori::CardFile(settings.card);
+  if (file.empty()) {
+    kaori::LogWarning("there is no graphics card with a socket for a screen: playing on unseen");
+    return nullptr;
+  }
+  auto card = kaori::scanout::KmsCard::Open(file, settings.fdkeeper);
   if (!card && card.error().cause == std::errc::no_such_file_or_directory) {
     kaori::LogWarning("there is no graphics card ({}): playing on unseen", card.error().message());
     return nullptr;
@@ -76,9 +83,8 @@ kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clo
 
 // A card that comes later wants another start: what draws was chosen without it. The service manager then
 // starts the stage anew, and the fade goes on where it was.
-kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop) {
-  std::error_code none;
-  if (std::filesystem::exists(path, none)) loop.Stop();
+kaori::Result<Screen> AwaitCard(const std::string& told, kaori::EventLoop& loop) {
+  if (kaori::IsThere(kaori::CardFile(told))) loop.Stop();
   return kaori::Fail(std::errc::no_such_device, "find a graphics card");
 }
 

@@ -28,7 +28,7 @@ constexpr std::string_view kStageHelp = R"(kaori-stage: draws the face that the 
   --at TIME       where it begins, by the clock of that evening, as in 19:43:10
   --log FOLDER    keeps the show log there: what each frame was made of, three evenings of it
   --links FOLDER  the simulator's link folder, in which the screen is plugged
-  --card FILE     instead: the graphics card, as in /dev/dri/card0
+  --card FILE     instead: the graphics card, as in /dev/dri/card0; auto: the first one that has sockets for screens
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
   --quality Q     how finely it draws: basic for processors, fine or finest for graphics cards, auto (usual): what this machine draws in time
   --settings FOLDER what the box was told when it started (/run/kaori-profile)

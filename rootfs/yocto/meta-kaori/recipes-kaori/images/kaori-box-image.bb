@@ -12,6 +12,9 @@ IMAGE_FEATURES = "read-only-rootfs"
 IMAGE_INSTALL = "packagegroup-core-boot kernel-modules kaori-box kaori-box-boot mesa-megadriver ${CORE_IMAGE_EXTRA_INSTALL}"
 IMAGE_LINGUAS = ""
 
+# What a box starts; multi-user.target, which it would be else, wants a getty on each console.
+SYSTEMD_DEFAULT_TARGET = "kaori.target"
+
 IMAGE_FSTYPES = "wic wic.bmap"
 WKS_FILE = "kaori-box.wks"
 WKS_FILE:rpi = "kaori-box-raspberrypi.wks"
