@@ -79,6 +79,19 @@ class Words(Tree):
                 is_refused = any(re.fullmatch(pattern, word) for pattern in patterns)
                 self.assertEqual(is_refused, not word.startswith("*"))
 
+    def test_are_refused_in_all_text_files_whatever_their_endings(self):
+        for path in ("rootfs/a.conf", "rootfs/a.path", "rootfs/a.mount", "rootfs/a.rules", "rootfs/a.bb", "rootfs/a.yml", "docs/a.svg",
+                     "rootfs/a.config", "tests/a.json", "rootfs/a.wks", "firmware/a.S", "tool"):
+            with self.subTest(path):
+                self.write(path, "# A stranger was plugged in.\n")
+                self.assertEqual([line.split(": ")[0] for line in words.offences(self.root) if line.startswith(path)], [f"{path}:1"])
+
+    def test_of_hands_are_refused_but_for_those_of_a_clock_or_a_body_and_for_the_verb(self):
+        self.write("a.md", "Hands play it.\nThe layer under hands.\nIt stays in those hands.\n")
+        self.assertEqual(len(list(words.offences(self.root))), 3)
+        self.write("a.md", "The reader hands it on, and hands over the rest. Eight clock hands.\nThey have both in their hands. On the other hand.\n")
+        self.assertEqual(list(words.offences(self.root)), [])
+
     def test_that_are_plain_pass(self):
         self.write("drivers/hid/a.cpp", '// Takes the newest report; signs and lights as in "handle".\nint device_slot = 0;\n')
         self.assertEqual(list(words.offences(self.root)), [])

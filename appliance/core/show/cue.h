@@ -30,7 +30,7 @@ enum class CueVerb : std::uint16_t {
   kGo,        // Plays the cue that stands by.
   kBack,      // Holds what runs; again, or where nothing runs: to the cue before.
   kStop,      // Ends motions and waits softly; what would have followed stands by.
-  kPause,     // Holds waits, fades and motions; again: they go on. Hands, lips and life are not held.
+  kPause,     // Holds waits, fades and motions; again: they go on. Operators, lips and life are not held.
   kPanic,     // As kStop, and the panic scene; again while it comes: at once.
   kBlackout,  // Black over all; again: as it was. No cue lifts it.
 };
