@@ -12,8 +12,8 @@
 namespace kaori::appearance {
 namespace {
 
-// Half a seam's width; a rivet's radius is three times that.
-constexpr float kSeam_cm = 0.05F;  // Half a seam's width.
+// Half a seam's width, and a rivet's radius, which is some three times that.
+constexpr float kSeam_cm = 0.05F;
 constexpr float kRivet_cm = 0.17F;
 
 // How far from the nearest seam (signed, x), and how far along it (y).
