@@ -79,6 +79,10 @@ class Words(Tree):
                 is_refused = any(re.fullmatch(pattern, word) for pattern in patterns)
                 self.assertEqual(is_refused, not word.startswith("*"))
 
+    def test_are_refused_in_names_of_files_that_are_plain_in_code(self):
+        self.write("drivers/hid/frame_words.cpp", "int words = 0;\n")
+        self.assertEqual([line.split(": ")[:2] for line in words.offences(self.root)], [["drivers/hid/frame_words.cpp", "the file's name"]])
+
     def test_are_refused_in_all_text_files_whatever_their_endings(self):
         for path in ("rootfs/a.conf", "rootfs/a.path", "rootfs/a.mount", "rootfs/a.rules", "rootfs/a.bb", "rootfs/a.yml", "docs/a.svg",
                      "rootfs/a.config", "tests/a.json", "rootfs/a.wks", "firmware/a.S", "tool"):

@@ -30,6 +30,8 @@ NAMES = (
     (r"deeds?", "actions, commands"),
     (r"riddles?", "the plain name"),
 )
+# (part of a file's name, what to say): in code these are usual words.
+FILES = ((r"words", "protocol, tokenizer, messages, names, by what it holds"),)
 # (path's beginning, part of a name, what to say): in other folders the word is a usual one.
 WITHIN = (
     ("drivers/scanout/", r"sheets?", "DumbBuffer, framebuffer"),
@@ -94,11 +96,11 @@ def exempt(path, pattern):
     return any(path.startswith(begin) and wanted in (None, pattern) for begin, wanted, _ in EXEMPT)
 
 
-def in_name(path, name):
+def in_name(path, name, more=()):
     """The first refused part of a name, as (part, what to say)."""
     within = tuple((pattern, say) for begin, pattern, say in WITHIN if path.startswith(begin))
     for part in SPLIT.findall(name):
-        for pattern, say in NAMES + within:
+        for pattern, say in (*NAMES, *within, *more):
             if re.fullmatch(pattern, part.lower()) and not exempt(path, pattern):
                 return part, say
     return None
@@ -132,7 +134,7 @@ def files(root):
 def offences(root):
     """Lines "file:line: word: say ...", one for each refused word."""
     for path, file in files(root):
-        if found := in_name(path, path):
+        if found := in_name(path, path, FILES):
             yield f"{path}: the file's name: {found[0]}: say {found[1]}"
         try:
             text = file.read_text(encoding="utf-8")
