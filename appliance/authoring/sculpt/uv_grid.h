@@ -1,4 +1,4 @@
-// u and v of the grid's lines in the unrolled surface.
+// The u and v of the grid's lines in the unrolled surface.
 #pragma once
 
 #include <vector>
