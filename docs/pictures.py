@@ -27,8 +27,9 @@ SHOW = ("appliance/shows/kaori",)
 # What draws a face, and what models the one that is drawn.
 DRAWING = (*(f"render/{folder}" for folder in ("face", "gl", "passes", "scene", "shaders")),
            *(f"appliance/authoring/{folder}" for folder in ("appearance", "mesh", "sculpt")))
-CONSOLE = ("hw-sim/console/page", *SHOW, *DRAWING)
-DESK = ("appliance/programs/desk/page",)
+# What takes a picture of a page, and what the page gets from its server: pictures of the screens and of the lips, and texts.
+CONSOLE = ("docs/pictures.mjs", "hw-sim/console", "hw-sim/monitor", *SHOW, *DRAWING)
+DESK = ("docs/pictures.mjs", "appliance/programs/desk/page", "appliance/core/board/lip_picture.cpp")
 NEEDLES = ("docs/needles.play", "appliance/programs/editor", *SHOW, *DRAWING)
 GUIDE = ("docs/guide/pictures.play", "docs/guide/pictures.sh", "appliance/authoring/sheet", "appliance/programs/editor", *SHOW, *DRAWING)
 GUIDE_NAMES = ("cast", "expressions", "morphs", "needles", "page", "scenes", "styles")

@@ -20,7 +20,7 @@ class BeatPace {
   Duration See(Time now);
 
   static constexpr Duration kWindow = std::chrono::seconds(10);
-  // Operators' hands are to be back within two seconds of a hang: the other second is for systemd, which is up to 250 ms
+  // Operators' input is to work again within two seconds of a hang: the other second is for systemd, which is up to 250 ms
   // late twice, and for the new program.
   static constexpr Duration kLeastSilence = std::chrono::seconds(1);
 

@@ -11,7 +11,6 @@
 namespace kaori {
 namespace {
 
-// Of a file that does not know its size.
 constexpr std::size_t kPiece_bytes = std::size_t{64} << 10U;  // Of a file that does not know its size.
 
 const char* KindOf(mode_t mode) {
@@ -30,30 +29,14 @@ tl::unexpected<Error> TooLarge(const std::string& attempt, std::size_t most_byte
   return FailInput(attempt + ": it is larger than " + SizeText(most_bytes), std::errc::file_too_large);
 }
 
-struct OpenedFile {
-  UniqueFd fd;
-  std::uintmax_t said_bytes = 0;  // 0 where it does not know its size.
-};
-
-Result<OpenedFile> OpenRegular(const std::filesystem::path& file, const std::string& attempt) {
-  // O_NOCTTY: a terminal that is named by mistake must not become the one that this process obeys.
-  UniqueFd fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
-  struct stat status {};
-  if (!fd.valid() || ::fstat(fd.get(), &status) < 0) return FailErrno(attempt);
-  if (S_ISDIR(status.st_mode)) return Fail(std::errc::is_a_directory, attempt);
-  if (!S_ISREG(status.st_mode))
-    return FailInput(attempt + ": it is " + KindOf(status.st_mode) + ", not a file");
-  return OpenedFile{std::move(fd), static_cast<std::uintmax_t>(status.st_size)};
-}
-
 // Reads on until the end or `most_bytes`, whatever size the file said it has.
-Result<std::string> ReadUpTo(const OpenedFile& file, std::size_t most_bytes, const std::string& attempt) {
+Result<std::string> ReadUpTo(const RegularFile& file, std::size_t most_bytes, const std::string& attempt) {
   std::string text;
   std::size_t have = 0;
   while (have < most_bytes) {
     // One more than it said finds the end.
     if (have == text.size())
-      text.resize(std::min<std::uintmax_t>(most_bytes, std::max(have + kPiece_bytes, file.said_bytes + 1)));
+      text.resize(std::min<std::uintmax_t>(most_bytes, std::max(have + kPiece_bytes, file.bytes + 1)));
     const ssize_t got = ::read(file.fd.get(), text.data() + have, text.size() - have);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return FailErrno(attempt);
@@ -101,9 +84,8 @@ class LevelCounter {
         brackets_ = std::max(brackets_ - 1, 0);
         break;
       case '.':
+        // A dotted key is a table in a table. The dot of a number such as 1.5 counts too, until its line ends.
         ++dots_;
-        // A dotted key is a table in a table. The dots of a number such as
-        // 1.5 count too; its line ends soon enough.
         break;
       case '\n':
         ++line_;
@@ -141,6 +123,27 @@ class LevelCounter {
 
 }  // namespace
 
+// O_NOCTTY: a terminal that is named by mistake must not become the one that this process obeys.
+Result<RegularFile> OpenRegular(const std::filesystem::path& file, const std::string& attempt, Links links) {
+  const int no_links = links == Links::kRefuse ? O_NOFOLLOW : 0;
+  UniqueFd fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY | no_links));
+  if (!fd.valid()) return FailErrno(attempt);
+  return RequireRegular(std::move(fd), attempt);
+}
+
+Result<RegularFile> RequireRegular(UniqueFd fd, const std::string& attempt) {
+  struct stat status {};
+  if (::fstat(fd.get(), &status) < 0) return FailErrno(attempt);
+  if (S_ISDIR(status.st_mode)) return Fail(std::errc::is_a_directory, attempt);
+  if (!S_ISREG(status.st_mode))
+    return FailInput(attempt + ": it is " + KindOf(status.st_mode) + ", not a file");
+  return RegularFile{std::move(fd), static_cast<std::uintmax_t>(status.st_size)};
+}
+
+bool IsNoFile(const Error& error) {
+  return error.kind == ErrorKind::kInput || error.cause == std::errc::is_a_directory;
+}
+
 Result<void> CheckLevels(std::string_view text, int most_levels, const std::string& name) {
   const int line = LevelCounter(text).TooDeepAt(most_levels);
   if (line == 0) return {};
@@ -155,7 +158,7 @@ Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits
   const std::string attempt = "read " + file.string();
   const auto opened = OpenRegular(file, attempt);
   if (!opened) return tl::unexpected(opened.error());
-  if (opened->said_bytes > limits.most_bytes) return TooLarge(attempt, limits.most_bytes);
+  if (opened->bytes > limits.most_bytes) return TooLarge(attempt, limits.most_bytes);
   auto text = ReadUpTo(*opened, limits.most_bytes + 1, attempt);
   if (!text) return text;
   if (text->size() > limits.most_bytes) return TooLarge(attempt, limits.most_bytes);
@@ -167,7 +170,7 @@ Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits
 
 Result<std::string> ReadBeginning(const std::filesystem::path& file, std::size_t most_bytes) {
   const std::string attempt = "read " + file.string();
-  return OpenRegular(file, attempt).and_then([&](const OpenedFile& opened) {
+  return OpenRegular(file, attempt).and_then([&](const RegularFile& opened) {
     return ReadUpTo(opened, most_bytes, attempt);
   });
 }

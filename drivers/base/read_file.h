@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
 
 namespace kaori {
 
@@ -22,6 +24,31 @@ struct ReadLimits {
   // Parsers and destructors of trees call themselves once a level, so that the stack is the real limit.
   int most_levels = 0;
 };
+
+// A regular file that is open for reading.
+struct RegularFile {
+  UniqueFd fd;
+  std::uintmax_t bytes = 0;  // As long as it said it is when it was opened; 0 of those of /proc and /sys.
+};
+
+// Whether the last part of a name may be a symbolic link. It may not on a stick, whose maker is unknown: a link there
+// would name a file of the box.
+enum class Links : std::uint8_t { kFollow, kRefuse };
+
+// Opens a file that somebody named, for whoever reads it in pieces of his own. Waits for nobody: it is opened with
+// O_NONBLOCK, and its kind is asked of the descriptor, so that nothing changes between look and use. `attempt` says what
+// was tried and names the file. Any thread; the descriptor is the caller's. Errors: those of open(2) and fstat(2);
+// is_a_directory; invalid_argument (kInput) for a pipe, a socket or a device; too_many_symbolic_link_levels for a link
+// that is refused.
+Result<RegularFile> OpenRegular(const std::filesystem::path& file, const std::string& attempt,
+                                Links links = Links::kFollow);
+
+// The same of a file that another one opened and handed over. Errors: those of fstat(2); is_a_directory and
+// invalid_argument as above.
+Result<RegularFile> RequireRegular(UniqueFd fd, const std::string& attempt);
+
+// Whether that is why it was refused: what has the name is no file, and not that it could not be opened.
+bool IsNoFile(const Error& error);
 
 // Reads a whole file; blocks for the disk, never for a peer: it is opened with O_NONBLOCK, and its kind
 // and its size are asked before a byte is read or allocated. Files of /proc and /sys, whose size is 0,

@@ -12,15 +12,14 @@ namespace {
 // HID numbers buttons from 1; button 1 is switch 0 of the sample.
 constexpr std::uint32_t kFirstButton = 1;
 
-// Counts come from a device: they wrap, they do not overflow,
-// which would be undefined for signed numbers.
+// Counts come from a device: they wrap and do not overflow, which would be undefined for signed numbers.
 std::int32_t AddWrapping(std::int32_t a, std::int64_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
 
-// The shorter way round a circle of `span` positions, from -span / 2 to less than span /
-// 2. Half a circle has no shorter way, and counts as backwards. The remainder is taken
-// twice, since that of a negative number is negative in C++.
+// The shorter way round a circle of `span` positions, from -span / 2 to less than span / 2. Half a circle has no
+// shorter way, and counts as backwards. The remainder is taken twice, since in C++ that of a negative number is
+// negative.
 std::int64_t ShortWay(std::int64_t from, std::int64_t to, std::int64_t span) {
   const std::int64_t forwards = ((to - from) % span + span) % span;
   return forwards * 2 < span ? forwards : forwards - span;

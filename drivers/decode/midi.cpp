@@ -6,7 +6,6 @@ namespace {
 // MIDI 1.0: bytes from 80 on are status bytes, those from F8 on real-time messages of one byte each.
 constexpr std::uint8_t kStatusBit = 0x80;
 constexpr std::uint8_t kSysEx = 0xF0;
-constexpr std::uint8_t kEndOfSysEx = 0xF7;
 constexpr std::uint8_t kFirstRealTime = 0xF8;
 
 // Program change and channel pressure have one byte of data, all other messages of a channel two.
@@ -24,26 +23,14 @@ std::optional<MidiMessage> MidiParser::Accept(std::uint8_t byte) {
   return std::nullopt;
 }
 
-// Messages of the system end what runs; any status ends a SysEx, and only F7 makes it whole.
+// Messages of the system end what runs. No status runs within a SysEx, nor behind F7, which ends one.
 void MidiParser::AcceptStatus(std::uint8_t byte) {
-  if (byte == kEndOfSysEx) sysex_is_whole_ = in_sysex_ && sysex_bytes_ <= kMostSysExBytes;
-  in_sysex_ = byte == kSysEx;
-  if (in_sysex_) {
-    sysex_bytes_ = 0;
-    sysex_is_whole_ = false;
-  }
   status_ = byte < kSysEx ? byte : 0;
   data_bytes_ = 0;
 }
 
-// Of a SysEx that is too long the count goes one beyond the limit, and no further: by that its end tells that
-// it is not whole. Data without a status are passed over, as after a system message.
+// Data without a status are passed over: those of a SysEx, and those behind a system message.
 std::optional<MidiMessage> MidiParser::AcceptData(std::uint8_t byte) {
-  if (in_sysex_) {
-    if (sysex_bytes_ < kMostSysExBytes) sysex_[sysex_bytes_] = byte;
-    if (sysex_bytes_ <= kMostSysExBytes) ++sysex_bytes_;
-    return std::nullopt;
-  }
   if (status_ == 0) return std::nullopt;
   data_[data_bytes_++] = byte;
   if (data_bytes_ < DataBytesOf(status_)) return std::nullopt;
@@ -58,10 +45,6 @@ std::optional<MidiMessage> MidiParser::AcceptData(std::uint8_t byte) {
   if (kind == 0x9 && message.value != 0) message.kind = MidiMessage::Kind::kNoteOn;
   if (kind == 0xB) message.kind = MidiMessage::Kind::kControl;
   return message;
-}
-
-std::span<const std::uint8_t> MidiParser::sysex() const {
-  return std::span(sysex_).first(sysex_is_whole_ ? sysex_bytes_ : 0);
 }
 
 }  // namespace kaori::decode

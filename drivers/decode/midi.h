@@ -20,17 +20,11 @@ struct MidiMessage {
   std::uint8_t status = 0;  // The byte with which it began, or would have without running status.
 };
 
-// Longer SysEx is passed over to its end.
-inline constexpr std::size_t kMostSysExBytes = 256;
-
-// Pure; any bytes are borne. A note-on of velocity 0 is a note-off, as MIDI 1.0 says.
+// Pure; any bytes are borne. SysEx is passed over to its end, however long. A note-on of velocity 0 is a note-off, as MIDI 1.0 says.
 class MidiParser {
  public:
   // The message that `byte` ends, if it ends one. Bytes of the clock may come anywhere, and change nothing.
   std::optional<MidiMessage> Accept(std::uint8_t byte);
-  // The bytes between F0 and F7 of the SysEx that ended last; empty where there was none, or it was too long.
-  // Good until the next F0.
-  std::span<const std::uint8_t> sysex() const;
 
  private:
   std::optional<MidiMessage> AcceptData(std::uint8_t byte);
@@ -39,10 +33,6 @@ class MidiParser {
   std::uint8_t status_ = 0;  // That runs; 0: none does.
   std::array<std::uint8_t, 2> data_{};
   std::size_t data_bytes_ = 0;
-  bool in_sysex_ = false;
-  std::array<std::uint8_t, kMostSysExBytes> sysex_{};
-  std::size_t sysex_bytes_ = 0;
-  bool sysex_is_whole_ = false;
 };
 
 }  // namespace kaori::decode

@@ -84,7 +84,7 @@ class LibusbChannel final : public ports::HidChannel {
   void FillWrite(Transfer& transfer, std::span<const std::uint8_t> report);
   // The transfer whose report arrived first; null: none has one.
   Transfer* Oldest();
-  // A transfer is in the hands of libusb: its memory must stay.
+  // A transfer belongs to libusb: its memory must stay.
   bool any_submitted() const;
   tl::unexpected<Error> Gone() const;
   // libusb's call-back, with the Transfer as its user data; it leads

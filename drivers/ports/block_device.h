@@ -8,8 +8,8 @@
 
 namespace kaori::ports {
 
-// One thread. Every call blocks for the disk. What was written and not flushed may be on the disk after a
-// power cut, in any order, or not.
+// One thread. Every call blocks for the disk. Positions and lengths are bytes and need no alignment. What was written
+// and not flushed may be on the disk after a power cut, in any order, or not; of one call a part may be.
 class BlockDevice {
  public:
   virtual ~BlockDevice() = default;

@@ -13,8 +13,7 @@ namespace kaori::ports {
 // What happens to the camera's own automatic control. A show holds it: an exposure that reacts to
 // stage light would change the lips' size and colour in the picture.
 enum class CameraHold : std::uint8_t {
-  // The camera finds exposure, gain, white balance and focus
-  // by itself, and exposes for less than a frame's time.
+  // The camera finds exposure, gain, white balance and focus by itself, and exposes for less than a frame's time.
   kFree,
   // They stay as they are now.
   kHeld,
@@ -41,9 +40,9 @@ class CameraTuning {
   // Whether there is something that is held: Set(kHeld) found a camera then, and none of another model came since.
   virtual bool holds() const = 0;
 
-  // Has the next opening use the next slower frame rate, as when a USB bus has no
-  // room for the rate (CameraOpener's no_space_on_device). False, and nothing
-  // changes, where no slower one is fast enough for lips.
+  // Has the next opening use the next slower frame rate, as when a USB bus has no room for the rate (CameraOpener's
+  // no_space_on_device). The camera that is open goes on as it is. False, and nothing changes, where no slower one is
+  // fast enough for lips.
   virtual bool Slower() = 0;
 };
 

@@ -25,8 +25,8 @@ class GpioLines {
   // Releases the lines for others.
   virtual ~GpioLines() = default;
 
-  // A descriptor that is readable when ReadEdge may give an
-  // edge, or when the chip is gone. It belongs to the lines.
+  // A descriptor that is readable when ReadEdge may give an edge, or when the chip is gone. It belongs to the lines. It
+  // may be readable although there is no edge, as lines that are polled are looked at now and then.
   virtual int pollable() const = 0;
 
   // All levels at once, as when a program starts or edges were lost. Bit n: input line n is active

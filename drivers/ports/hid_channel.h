@@ -13,16 +13,16 @@
 
 namespace kaori::ports {
 
-// What is known of a device before its first report. Two equal devices differ in
-// `port` alone, so roles belong to ports: what is plugged into the left socket is
-// the left stick, whichever of two equal sticks it is.
+// What is known of a device before its first report. Two equal devices differ in `port` alone, so roles belong to
+// ports: what is plugged into the left socket is the left stick, whichever of two equal sticks it is. A value: it
+// outlives the device and its channel.
 struct HidIdentity {
   std::string port;  // Where it is plugged in: the USB port path "1-4.2", or a link's name in the simulator.
-  std::uint16_t vendor = 0;              // USB vendor id.
-  std::uint16_t product = 0;             // USB product id.
-  std::string name;                      // As the device tells it, for people; may be empty.
-  std::vector<std::uint8_t> descriptor;  // The report descriptor, as the device sent it.
-  // Untrusted, as the name is: its decoder bears any bytes.
+  std::uint16_t vendor = 0;   // USB vendor id.
+  std::uint16_t product = 0;  // USB product id.
+  std::string name;           // As the device tells it, for people; may be empty.
+  // The report descriptor, as the device sent it. It is trusted as little as the name: its decoder bears any bytes.
+  std::vector<std::uint8_t> descriptor;
 };
 
 // An input report that was read.
@@ -90,9 +90,8 @@ class HidBus {
   // readable no more. Errors: those of the system calls.
   virtual Result<std::vector<std::string>> Ports() = 0;
 
-  // The caller owns the channel. Every device may be opened; whether it
-  // is one of ours is decided by its descriptor.
-  // Opens the device at a port of Ports(). Errors:
+  // Opens the device at a port of Ports(); the caller owns the channel. Every device may be opened: whether it is one
+  // of ours is decided by its descriptor. Errors:
   //   no_such_device           nothing is plugged in there
   //   permission_denied        the device may not be opened
   //   device_or_resource_busy  another program uses it, or it has not answered yet; try again

@@ -13,8 +13,8 @@
 
 namespace kaori::ports {
 
-// What a Write has queued. The show's mouth is animated by `at`, so
-// that lips and sound meet at the loudspeaker.
+// What a Write has queued. The show's mouth is animated by `at`, so that lips and sound meet at the loudspeaker. A
+// value: it refers to nothing.
 struct Playout {
   std::size_t frames = 0;  // How many were queued, from the first on; there was no room for the rest.
   Time at{};          // When the first of them is heard, by the device's count of what is queued before it.
@@ -32,8 +32,7 @@ class Loudspeaker {
   // to the loudspeaker. Devices without descriptors never make it readable: call Write now and then as well.
   virtual int pollable() const = 0;
 
-  // The rate and the channels that Write expects; nothing is converted
-  // here. Does not change once a frame was queued.
+  // The rate and the channels that Write expects; nothing is converted here. Does not change once a frame was queued.
   virtual SoundFormat format() const = 0;
 
   // Queues whole frames of interleaved samples behind those that are queued. Less than all may be

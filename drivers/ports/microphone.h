@@ -25,11 +25,12 @@ struct SoundBlock {
   std::span<const std::int16_t> samples;  // Whole frames. Valid until the next Read or the microphone's end.
 };
 
-// A microphone that has been opened and records from then on. Its clock is not the
-// machine's: over an hour the count of its frames and CLOCK_MONOTONIC differ by some ten
-// milliseconds, so each block has a stamp. No call blocks. One thread.
+// A microphone that has been opened and records from then on. Its clock is not the machine's: over an hour the count
+// of its frames and CLOCK_MONOTONIC differ by some ten milliseconds, so each block has a stamp. What nobody reads is
+// kept by the driver for as long as its buffer has room, and is lost from then on. No call blocks. One thread.
 class Microphone {
  public:
+  // Stops recording: blocks that were given are gone.
   virtual ~Microphone() = default;
 
   // A descriptor that is readable when Read would give a block, or when the microphone is gone. It belongs to
@@ -39,8 +40,8 @@ class Microphone {
   // Does not change once a block was read.
   virtual SoundFormat format() const = 0;
 
-  // How many frames a block has is the device's choice, usually one period.
-  // The oldest frames that were not read; call it until there are none. Errors:
+  // The oldest frames that were not read; call it until there are none. How many frames a block has is the device's
+  // choice, usually one period. The block given before ends with this call. Errors:
   //   resource_unavailable_try_again  there is no frame; after an overrun the stream goes on by itself
   //   no_such_device                  the microphone was unplugged
   //   io_error                        the stream broke or stalled
@@ -48,8 +49,8 @@ class Microphone {
   virtual Result<SoundBlock> Read() = 0;
 };
 
-// Blocks while the sound card answers: some milliseconds.
-// Opens the microphone; to be called again after a fault. Errors:
+// Opens the microphone; to be called again after a fault, after the old one has ended. Blocks while the sound card
+// answers: some milliseconds. Errors:
 //   no_such_device           it is not plugged in
 //   permission_denied        it may not be opened
 //   device_or_resource_busy  another program uses it

@@ -10,16 +10,19 @@
 
 namespace kaori::ports {
 
-// A message of a channel.
+// A message of a channel, cut out of the stream (decode/midi.h). Messages of the system and the clock are none.
 struct MidiHeard {
-  Time at{};
+  Time at{};                              // When its last byte was read, on CLOCK_MONOTONIC.
   std::uint16_t vendor = 0, product = 0;  // Of the USB device.
+  // The status byte with its channel, 80 to EF; the control, note or program; and what it is set to, 0 where the
+  // message has one byte of data alone. The last two have seven bits.
   std::uint8_t status = 0, number = 0, value = 0;
-  std::optional<std::size_t> dial{},
-      button{};  // Of the device, for which it was meant; neither: for nothing.
+  // The dial or the button of the device for which it was meant; neither: for nothing.
+  std::optional<std::size_t> dial{}, button{};
 };
 
-// The last messages of all devices. One thread; allocates nothing.
+// The last messages of all devices, for people who look: none of them is played from here, and what came too fast to
+// be seen is forgotten. Owned by the program; buses borrow it. One thread, that of the buses; allocates nothing.
 class MidiTap {
  public:
   static constexpr std::size_t kKept = 16;  // A power of two, so that the count may wrap.

@@ -6,8 +6,8 @@
 
 namespace kaori::ports {
 
-// Why an output has its mode, for the people who look for a better one: a cable or
-// an adapter that cuts modes off shows here first.
+// Why an output has its mode, for the people who look for a better one: a cable or an adapter that cuts modes off
+// shows here first.
 enum class ModeOrigin : std::uint8_t {
   kWanted,      // The screen's EDID prefers it, or people asked for it.
   kSubstitute,  // The card refused a better one.
@@ -22,8 +22,8 @@ enum class OutputState : std::uint8_t {
   kShowsMonitor,  // It is the operators' monitor, and no part of the show either.
 };
 
-// Says of one connector what the status display, the desk and the log tell
-// of it. Values only; nothing refers to the card.
+// Says of one connector what the status display, the desk and the log tell of it. Values only: nothing refers to the
+// card, so that it may be kept when the screen is gone.
 struct Output {
   std::string connector;  // As KMS names it: "HDMI-A-1". No white space.
   int width_px = 0;       // Of the visible picture.

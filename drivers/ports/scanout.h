@@ -59,9 +59,9 @@ class Scanout {
   // the screen and is valid for as long as the screen.
   virtual int pollable() const = 0;
 
-  // The buffer of the next frame. The screen lends it until Present, or until the
-  // screen's own end. A second Acquire before Present lends the same buffer again.
-  // The size and the target may differ from those of the frame before. Errors:
+  // The buffer of the next frame. The screen lends it until Present, or until the screen's own end. A second Acquire
+  // before Present lends the same buffer again. What it holds is anything: the whole picture is drawn each time. The
+  // size and the target may differ from those of the frame before. Errors:
   //   resource_unavailable_try_again  the frame before has not been presented yet, or a screen that was just
   //                                   opened has not answered yet
   //   no_such_device                  the screen was unplugged, or must be opened anew to be used as it is

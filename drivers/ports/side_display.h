@@ -24,7 +24,7 @@ constexpr bool IsWithin(const DisplayArea& area, int width_px, int height_px) {
          0 <= area.bottom_px && area.bottom_px <= area.top_px && area.top_px <= height_px;
 }
 
-// No call blocks. One thread, that of the screen that owns the display.
+// Belongs to the screen beside which it stands, and ends with it. No call blocks. One thread, that of the screen.
 class SideDisplay {
  public:
   virtual ~SideDisplay() = default;

@@ -224,6 +224,9 @@ Result<RunningOrder> LoadRunningOrder(const std::string& path, const show::Show&
   if (!text) return tl::unexpected(text.error());
   RunningOrderRead read = ReadRunningOrder(*text, show);
   if (!read.problems.empty()) return FailInput(Describe(read.problems, path));
+  const RunningOrder& order = read.order;
+  if (order.play.actions.empty() && order.incidents.empty() && order.expectations.empty())
+    return FailInput(path + ": nothing is done in it, and nothing is expected");
   return std::move(read.order);
 }
 

@@ -106,7 +106,7 @@ struct RunningOrderRead {
 RunningOrderRead ReadRunningOrder(std::string_view text, const show::Show& show);
 
 // Reads a file; blocks for the disk. Errors: those of the file; invalid_argument with every problem
-// described.
+// described, and where there is no line, by which an evening would be played that nobody wants.
 Result<RunningOrder> LoadRunningOrder(const std::string& path, const show::Show& show);
 
 // Leaves what begins and is over by then; `length` is to be a moment at which no fault is on.

@@ -21,9 +21,8 @@ enum class Verdict { kPassed, kFailed, kSkipped };
 struct Picture {
   // In the report's folder.
   std::string file;
-  // What people are to see in it.
+  // What people are to see in it: it stands under the picture, and is its text for those who cannot see it.
   std::string caption;
-  // Under the picture, and its text for those who cannot see it.
 };
 
 // What a check found: its verdict, and what people look at to believe it.

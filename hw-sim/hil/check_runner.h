@@ -58,7 +58,8 @@ class CheckRunner {
   Result<void> NotePrograms(const Check& check, Scene& scene);
   // Fails where the control does not find wrong what is wrong, or cannot be tried.
   Result<void> Control(const Check& check, Finding& finding);
-  // Fails where the check passes although what it needs was withdrawn.
+  // Fails where the check passes although what it needs was withdrawn, and where the box answers no more: a machine that has
+  // ended fails every check.
   Result<void> FailsWithout(const Check& check, Scene& scene);
   // Errors: invalid_argument, the box that the check leaves draws no more, or shows no face; those of the board.
   Result<void> LeavesAFace();

@@ -57,7 +57,7 @@ class WiredDials {
 };
 
 // Every edge is waited for before the next one, so that none can hide behind another whatever the machine's speed; dials
-// take turns, as hands do that turn at once.
+// take turns, as those of an operator do who turns several at once.
 Result<int> TurnByEdges(Scene& scene, WiredDials& dials) {
   const auto before = scene.SettledBoard();
   if (!before) return tl::unexpected(before.error());

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "hw-sim/monitor/midi_words.h"
+#include "hw-sim/monitor/midi_text.h"
 
 namespace kaori::sim {
 namespace {
@@ -74,7 +74,7 @@ json::List MidiJson(const board::MidiHeard& heard) {
     const MidiHeard::Message& message = heard.newest[n % MidiHeard::kKept];
     messages.push_back(
         json::List{n, fmt::format("{:04x}:{:04x}", message.device >> 16U, message.device & 0xFFFFU),
-                   MidiWords(message), number(message.meant & 0xFFU), number(message.meant >> 8U & 0xFFU)});
+                   MidiText(message), number(message.meant & 0xFFU), number(message.meant >> 8U & 0xFFU)});
   }
   return messages;
 }

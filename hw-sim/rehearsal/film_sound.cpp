@@ -1,10 +1,13 @@
 #include "hw-sim/rehearsal/film_sound.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "drivers/base/unique_fd.h"
 #include "firmware/wire/bytes.h"
 #include "hw-sim/rehearsal/ffmpeg.h"
 
@@ -17,6 +20,7 @@ constexpr std::int64_t kJoinedFrames = FilmSound::kRate_hz / 1000;
 // Of a RIFF head with one "fmt " and one "data" chunk.
 constexpr std::size_t kHeadBytes = 44;
 constexpr std::uint32_t kFrameBytes = 2 * kChannels;
+constexpr mode_t kFileMode = 0666;  // As streams make files: the umask has the last word.
 
 void PutTag(std::span<std::uint8_t> into, std::size_t at, const char (&tag)[5]) {
   std::copy_n(tag, 4, into.begin() + static_cast<std::ptrdiff_t>(at));
@@ -51,8 +55,11 @@ std::int64_t FramesIn(Duration time) {
 }  // namespace
 
 Result<FilmSound> FilmSound::Start(const std::string& file, Time begin) {
+  // A stream does not say why a file cannot be opened; open(2) does.
+  if (const UniqueFd made(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kFileMode)); !made.valid())
+    return FailErrno("write the sound " + file);
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  if (!stream) return FailErrno("write the sound " + file);
+  if (!stream) return Fail(std::errc::io_error, "write the sound " + file);
   const auto head = WavHead(0);  // Its lengths come at the end.
   stream.write(reinterpret_cast<const char*>(head.data()), head.size());
   return FilmSound(file, std::move(stream), begin);

@@ -1,10 +1,12 @@
 #include "hw-sim/rehearsal/outputs.h"
 
+#include <fcntl.h>
+
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
+#include "drivers/base/unique_fd.h"
 #include "render/image/png.h"
 
 namespace kaori::sim {
@@ -16,7 +18,9 @@ Result<void> CheckWritable(const std::string& file) {
   std::error_code ignored;
   const bool was_there = std::filesystem::exists(file, ignored);
   // Opening for appending creates the file and changes nothing in one that is there.
-  if (!std::ofstream(file, std::ios::app)) return FailErrno("write the film " + file);
+  constexpr mode_t kMode = 0666;
+  if (const UniqueFd fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kMode)); !fd.valid())
+    return FailErrno("write the film " + file);
   if (!was_there) std::filesystem::remove(file, ignored);
   return {};
 }

@@ -25,9 +25,6 @@ class SurfaceNormals {
   // Allocates nothing; one thread at a time.
   void Compute(const float* positions, float* normals);
 
-  // How many quads and triangles there are.
-  std::size_t patches() const { return patches_.size(); }
-
  private:
   using Patch = std::array<Index, 4>;  // A quad, or a triangle with its last corner twice.
 

@@ -11,7 +11,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "appliance/core/show/pack.h"
+#include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
+#include "drivers/base/read_file.h"
 #include "tests/benchmark/blend_benchmark.h"
 #include "tests/benchmark/frame_benchmark.h"
 #include "tests/benchmark/hid_benchmark.h"
@@ -88,18 +92,17 @@ void PrintAboveBars(const std::vector<Metric>& all) {
       fmt::print("too high: {} is {:.4g}, and at most {:.4g} is wanted\n", m.name, m.median, BarOf(m)->most);
 }
 
-// What builds cost, as `./box bench --build` wrote it; none, and a line in the log, where the file is another.
-std::vector<Metric> ReadBuildCosts(const std::string& file) {
-  std::ifstream in(file);
-  const auto costs = nlohmann::json::parse(in, nullptr, false);
+// What builds cost, as `./box bench --build` wrote it. Errors: those of ReadFile; invalid_argument where a figure is missing.
+Result<std::vector<Metric>> ReadBuildCosts(const std::string& file) {
+  const auto text = ReadFile(file, {.most_levels = kMostLevels});
+  if (!text) return tl::unexpected(text.error());
+  const auto costs = nlohmann::json::parse(*text, nullptr, false);
   std::vector<Metric> metrics;
   for (const auto& [figure, unit] : {std::pair{"demo_cpu_s", "s of CPU"}, std::pair{"test_cpu_s", "s of CPU"},
                                      std::pair{"kernel_cpu_s", "s of CPU"}, std::pair{"touched_s", "s"}}) {
     const auto cost = costs.is_object() ? costs.find(fmt::format("build_{}", figure)) : costs.end();
-    if (cost == costs.end() || !cost->is_number()) {
-      fmt::print(stderr, "kaori-benchmark: {} does not say build_{}\n", file, figure);
-      return {};
-    }
+    if (cost == costs.end() || !cost->is_number())
+      return FailInput(fmt::format("{} does not say build_{}", file, figure));
     metrics.push_back({fmt::format("build.{}", figure), unit, *cost, *cost});
   }
   return metrics;
@@ -114,9 +117,15 @@ bool WriteJson(const std::string& file, const std::vector<Metric>& metrics) {
   return static_cast<bool>(out.flush());
 }
 
+// Files that people named are looked at before anything is measured, which takes minutes.
 int Run(const Settings& settings) {
   std::vector<Metric> all;
-  if (!settings.builds.empty()) all = ReadBuildCosts(settings.builds);
+  if (const auto show = show::LoadPack(settings.pack); !show) return ExitWithError(show.error());
+  if (!settings.builds.empty()) {
+    auto costs = ReadBuildCosts(settings.builds);
+    if (!costs) return ExitWithError(costs.error());
+    all = std::move(*costs);
+  }
   fmt::print("{:<44} {:>12} {:>12}  unit\n", "figure", "median", "p99");
   for (const Metric& metric : all) Print(metric);
   for (const Group& group : Groups()) {

@@ -63,6 +63,32 @@ TEST_F(FileReader, DoesNotWaitForAPipeThatNobodyWrites) {
   ::alarm(0);
 }
 
+TEST_F(FileReader, OpensARegularFileForWhoeverReadsItInPieces) {
+  const auto file = OpenRegular(Write("12345"), "open it");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->bytes, 5U);
+  char first = 0;
+  EXPECT_EQ(::read(file->fd.get(), &first, 1), 1);
+  EXPECT_EQ(first, '1');
+}
+
+TEST_F(FileReader, FollowsALinkUnlessTheCallerRefusesThem) {
+  fs::create_symlink(Write("12345"), folder_ / "link");
+  EXPECT_TRUE(OpenRegular(folder_ / "link", "open it"));
+  const auto refused = OpenRegular(folder_ / "link", "open it", Links::kRefuse);
+  EXPECT_EQ(refused.error().cause, std::errc::too_many_symbolic_link_levels);
+  EXPECT_FALSE(IsNoFile(refused.error()));
+}
+
+TEST_F(FileReader, KnowsAnOpenedPipeAndAnOpenedFolderForNoFile) {
+  const auto of = [](const char* name, int flags) {
+    return RequireRegular(UniqueFd(::open(name, flags | O_CLOEXEC)), "look at it").error();
+  };
+  EXPECT_EQ(of("/dev/zero", O_RDONLY).message(), "look at it: it is a device, not a file");
+  EXPECT_TRUE(IsNoFile(of("/dev/zero", O_RDONLY)));
+  EXPECT_TRUE(IsNoFile(of("/tmp", O_RDONLY | O_DIRECTORY)));
+}
+
 TEST_F(FileReader, DoesNotTouchAFileThatIsTooLarge) {
   const fs::path file = Write("");
   ASSERT_EQ(::truncate(file.c_str(), off_t{1} << 40U), 0);

@@ -1,9 +1,10 @@
 #!/usr/bin/env -S python3 -B
 """Every tool that a script or a check calls is in a package that ./box installs: tools_test.py REPOSITORY
 
-Reads what shell scripts run in command position or lay on the agent's disk, what Python gives to subprocess, and what the
-bench's C++ starts. Each name must be in TOOLS with its package, and the package in one of the lists of ./box
-(NAME_PACKAGES=(...)) or part of every Debian. The control: a script with a tool that no list has is found.
+Reads what shell scripts run in command position or lay on the agent's disk, what Python gives to subprocess, what the
+simulator's and the tests' C++ starts, and what scripts of Node start: all of the tree but what runs on the box itself. Each name
+must be in TOOLS with its package, and the package in one of the lists of ./box (NAME_PACKAGES=(...)) or part of every Debian.
+The control: a script with a tool that no list has is found.
 """
 
 import ast
@@ -18,30 +19,38 @@ TOOLS = {
     **dict.fromkeys("awk basename cat chmod cksum comm cp cut date dd dirname find flock grep head id install kill ln ls mkdir mktemp "
                     "mv nice nproc paste printf realpath rm sed seq setsid sha256sum sleep sort stat tail tar tee timeout touch "
                     "tr truncate true uname uniq wc xargs bash sh dpkg dpkg-deb dpkg-query apt-get apt-cache env ldd sudo "
-                    "readlink unshare mount su sync perl gzip hostname cmp setpriv apt nohup du expr".split(), ESSENTIAL),
+                    "readlink unshare mount su sync perl gzip hostname cmp setpriv apt nohup du expr mkfifo /bin/sh".split(), ESSENTIAL),
     "systemd-analyze": "systemd", "python3": "python3", "git": "git",
     "cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "make": "make", "patch": "patch", "gcc": "gcc", "g++": "g++", "ccache": "ccache",
     "clang-14": "clang-14", "clang++-14": "clang-14", "clang-tidy-14": "clang-tidy-14", "clang-format-14": "clang-format-14",
     "chromium": "chromium", "node": "nodejs", "npm": "npm", "ffmpeg": "ffmpeg", "shellcheck": "shellcheck",
     "mmdebstrap": "mmdebstrap", "mkfs.erofs": "erofs-utils", "mke2fs": "e2fsprogs", "e2fsck": "e2fsprogs",
-    "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mkfs.exfat": "exfatprogs", "mcopy": "mtools", "mmd": "mtools",
+    "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mkfs.exfat": "exfatprogs", "mcopy": "mtools", "mmd": "mtools", "mtype": "mtools",
     "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "curl": "curl", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
     "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "addr2line": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
+    "ar": "binutils", "c++filt": "binutils", "meson": "meson", "dpkg-source": "dpkg-dev",
     "openssl": "openssl", "sbsign": "sbsigntool", "cert-to-efi-sig-list": "efitools", "sign-efi-sig-list": "efitools",
-    **{f"aarch64-linux-gnu-{tool}": "binutils-aarch64-linux-gnu" for tool in ("nm", "objcopy", "objdump", "strip")},
+    **{f"aarch64-linux-gnu-{tool}": "binutils-aarch64-linux-gnu" for tool in ("addr2line", "nm", "objcopy", "objdump", "readelf", "strip")},
     "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu",
-    "qemu-system-x86_64": "qemu-system-x86", "qemu-system-aarch64": "qemu-system-arm", "qemu-aarch64-static": "qemu-user-static", "Xvfb": "xvfb",
+    "qemu-system-x86_64": "qemu-system-x86", "qemu-system-aarch64": "qemu-system-arm", "qemu-system-arm": "qemu-system-arm", "qemu-aarch64-static": "qemu-user-static", "Xvfb": "xvfb",
     "evtest": "evtest", "v4l2-ctl": "v4l-utils", "v4l2-compliance": "v4l-utils", "gpiodetect": "gpiod", "gpioinfo": "gpiod",
     "arecord": "alsa-utils", "aplay": "alsa-utils", "amixer": "alsa-utils", "lsusb": "usbutils",
 }
+NOT_THERE = {"no-such-program-of-ours"}  # What a test starts to see how that fails.
 ALWAYS = {ESSENTIAL, "systemd", "git"}  # git: without it there is no repository to run in.
 BUILTINS = set("[ [[ ]] : . source exit return local declare readonly export set shift trap eval exec cd echo read mapfile unset "
-               "command type wait times let pushd popd builtin getopts ulimit umask printf kill test true false "
+               "command type compgen wait times let pushd popd builtin getopts ulimit umask printf kill test true false "
                "break continue if then else elif fi for while until do done case esac in function select time { } ! coproc".split())
-SHELL = ("box", "*.sh", "rootfs/image/build", "rootfs/image/keep_control", "rootfs/image/progress", "rootfs/image/kernel/build", "tests/hil/bench_disk",
-         "tests/hil/usual_image")
-PYTHON = ("rootfs/image/*.py", "tests/hil/*.py", "tests/hil/boot_variants")
-CPP = "hw-sim/hil/*.cpp"
+# What runs on the box, whose image has tools of its own, or in another builder.
+ELSEWHERE = ("rootfs/overlay/", "rootfs/yocto/")
+# Language -> the endings of its files, and how the first line of a file without an ending begins.
+LANGUAGES = {
+    "shell": ((".sh",), r"#!.*\b(ba|da)?sh\b"),
+    "python": ((".py",), r"#!.*\bpython"),
+    "cpp": ((".cpp",), r"(?!)"),
+    "node": ((".mjs", ".js"), r"#!.*\bnode\b"),
+}
+CPP_ROOMS = ("hw-sim/", "tests/", "appliance/authoring/")  # The box's own programs start what is on the box.
 PREFIXES = ("exec", "nice", "time", "command", "!", "if", "while", "until", "then", "else", "elif", "do", "env", "timeout", "sudo")
 
 
@@ -95,6 +104,10 @@ def cpp_tools(source):
     return set(re.findall(r'(?:RunToEnd|Process::Start)\(\s*\{"([^"]+)"', source)) | set(re.findall(r'(?:command\{|[.]qemu = )"([^"]+)"', source))
 
 
+def node_tools(source):
+    return set(re.findall(r"\b(?:execFile|execFileSync|spawn|spawnSync)\(\s*'([^']+)'", source))
+
+
 def carried_tools(script):
     """What tests/hil/bench_disk lays on the agent's disk: TOOLS=(...)."""
     return {tool for listed in re.findall(r"\bTOOLS=\(([^)]*)\)", script) for tool in listed.split()}
@@ -112,25 +125,37 @@ def installed(repository):
     return packages
 
 
-def tracked(repository, *patterns):
-    listed = subprocess.run(["git", "-C", repository, "ls-files", *patterns], capture_output=True, text=True, check=True).stdout
-    return [repository / name for name in listed.split()]
+def tracked(repository, language):
+    """The files of a language, by their ending or their first line."""
+    endings, first_line = LANGUAGES[language]
+    listed = subprocess.run(["git", "-C", repository, "ls-files"], capture_output=True, text=True, check=True).stdout
+    for name in listed.split():
+        path = repository / name
+        if name.startswith(ELSEWHERE) or path.is_symlink() or not path.is_file():
+            continue
+        if path.suffix in endings or (not path.suffix and re.match(first_line, path.read_bytes()[:64].decode("utf-8", "replace"))):
+            yield path
 
 
 def calls(repository):
     """(file, tool) for all that is called."""
-    scripts = {path: shell_tools(path.read_text()) for path in tracked(repository, *SHELL)}
+    scripts = {path: shell_tools(path.read_text()) for path in tracked(repository, "shell")}
     shared = set().union(*(functions for _, functions in scripts.values()))  # ./box reads the others' functions.
     for path, (found, _) in scripts.items():
         yield from ((path, tool) for tool in sorted((found - shared) | carried_tools(path.read_text())))
-    for path in tracked(repository, *PYTHON):
+    for path in tracked(repository, "python"):
         yield from ((path, tool) for tool in sorted(python_tools(path.read_text())))
-    for path in tracked(repository, CPP):
-        yield from ((path, tool) for tool in sorted(cpp_tools(path.read_text())))
+    for path in tracked(repository, "cpp"):
+        if str(path.relative_to(repository)).startswith(CPP_ROOMS):
+            yield from ((path, tool) for tool in sorted(cpp_tools(path.read_text())))
+    for path in tracked(repository, "node"):
+        yield from ((path, tool) for tool in sorted(node_tools(path.read_text())))
 
 
 def faults(found, packages):
     for path, tool in found:
+        if tool in NOT_THERE:
+            continue
         package = TOOLS.get(tool)
         if package is None:
             yield f"{path}: {tool}: no package is known for it; name it in tools_test.py"
@@ -143,6 +168,9 @@ def main():
     packages = installed(repository)
     found = list(calls(repository))
     wrong = list(faults(found, packages))
+    read = {path.suffix for path, _ in found}
+    if not {"", ".sh", ".py", ".cpp", ".mjs"} <= read:
+        wrong.append(f"the control: of {sorted(read)} something is not read any more")
     missing = list(faults([(Path("control"), tool) for tool in shell_tools("ls | cpio -o\nfrobnicate x\n")[0]],
                           packages - {"cpio"}))
     if len(missing) != 2:

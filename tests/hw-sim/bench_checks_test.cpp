@@ -90,15 +90,16 @@ class Runner : public ::testing::Test {
     std::filesystem::remove_all(folder_);
   }
   Finding Run(std::function<Result<void>(Scene&)> control) {
-    CheckRunner runner({.report = folder_, .play = {}, .controls = true}, *target_);
     const auto passes = [](Scene&) { return Result<void>{}; };
-    return runner
-        .Run({.name = "check",
-              .sentence = "A check passes",
-              .run = passes,
-              .control = std::move(control),
-              .powers = true})
-        .finding;
+    return Run({.name = "check",
+                .sentence = "A check passes",
+                .run = passes,
+                .control = std::move(control),
+                .powers = true});
+  }
+  Finding Run(const Check& check) {
+    CheckRunner runner({.report = folder_, .play = {}, .controls = true}, *target_);
+    return runner.Run(check).finding;
   }
 
   SteadyClock clock_;
@@ -114,6 +115,23 @@ TEST_F(Runner, FailsACheckWhoseControlCouldNotBeTried) {
   const Finding finding = Run([](Scene& scene) { return scene.Skip("there is no stick"); });
   EXPECT_EQ(finding.verdict, Verdict::kFailed);
   EXPECT_EQ(finding.said, "the negative control: it could not be tried, since there is no stick");
+}
+
+// No machine runs here: as if it had ended in the control.
+TEST_F(Runner, FailsACheckWhoseControlFailsSinceTheMachineHasEnded) {
+  int runs = 0;
+  const auto passes_once = [&](Scene&) {
+    return ++runs == 1 ? Result<void>{} : FailInput("no dial has turned");
+  };
+  const Finding finding = Run({.name = "check",
+                               .sentence = "A dial turns",
+                               .run = passes_once,
+                               .fails_without = "dial-box",
+                               .powers = true});
+  EXPECT_EQ(runs, 2);
+  EXPECT_EQ(finding.verdict, Verdict::kFailed);
+  EXPECT_THAT(finding.said,
+              HasSubstr("the negative control: it could not be tried: the box answers no more"));
 }
 
 }  // namespace

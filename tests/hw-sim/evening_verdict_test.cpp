@@ -1,7 +1,10 @@
 // Running orders as text, the actions between their lines, and the sums of several evenings.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "appliance/core/show/pack.h"
 #include "hw-sim/evening/improvisation.h"
@@ -41,6 +44,15 @@ TEST_F(ARunningOrder, OfTheEveningHasSixtyCuesAndFifteenFaultsInAHundredMinutes)
     EXPECT_TRUE(
         std::ranges::any_of(order->expectations, [i](const Expectation& one) { return one.fault == i; }))
         << "nothing is expected of: " << order->faults[static_cast<std::size_t>(i)].name;
+}
+
+TEST_F(ARunningOrder, OfAFileWithoutALineIsRefused) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / ("no-lines-" + std::to_string(::getpid()));
+  std::ofstream(file) << "\n# Nothing yet.\n";
+  const auto order = LoadRunningOrder(file, show_);
+  std::filesystem::remove(file);
+  ASSERT_FALSE(order);
+  EXPECT_EQ(order.error().message(), file.string() + ": nothing is done in it, and nothing is expected");
 }
 
 TEST_F(ARunningOrder, NamesEveryFaultyLine) {

@@ -133,6 +133,12 @@ TEST_F(FilmTest, HasTheSoundAsLongAsItsPicturesAndInTime) {
   EXPECT_NEAR(static_cast<double>(loud - samples.begin()) / 48000, 0.8, frame_s);
 }
 
+TEST_F(FilmTest, WhoseSoundCannotBeWrittenSaysWhy) {
+  const auto sound = [](const fs::path& file) { return FilmSound::Start(file, Time{}).error(); };
+  EXPECT_EQ(sound(folder_ / "none" / "sound.wav").cause, std::errc::no_such_file_or_directory);
+  EXPECT_EQ(sound(folder_).cause, std::errc::is_a_directory);
+}
+
 TEST_F(FilmTest, WithSoundOnAFullDiskSaysSoInOneLine) {
   if (!HasFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   const fs::path pictures = folder_ / "pictures.mp4", sound = folder_ / "sound.wav";

@@ -63,6 +63,19 @@ TEST_F(Gadget, SaysWhoItIsByTheFirmwaresOwnDescriptor) {
   EXPECT_EQ(Said("UDC"), "\n") << "the cable is not in yet";
 }
 
+TEST_F(Gadget, SaysWhyItsFileOfReportsIsNotFound) {
+  const auto gadget = Make();
+  ASSERT_TRUE(gadget);
+  EXPECT_EQ(gadget->DeviceFile().value(), folder_ + "/dev/hidg4");
+  const std::string numbers = folder_ + "/gadgets/box/functions/hid.0/dev";
+  for (const char* wrong : {"237\n", "237:\n", "237:4"}) {
+    std::ofstream(numbers) << wrong;
+    EXPECT_EQ(gadget->DeviceFile().error().message(), numbers + ": expected two numbers, as 237:0");
+  }
+  std::filesystem::remove(numbers);
+  EXPECT_EQ(gadget->DeviceFile().error().cause, std::errc::no_such_file_or_directory);
+}
+
 TEST_F(Gadget, IsMadeAgainOverWhatADeadSimulatorLeft) {
   auto left = Make();
   ASSERT_TRUE(left);

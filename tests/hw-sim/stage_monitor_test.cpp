@@ -1,7 +1,7 @@
 // What the page is told of the stage, from a board that a stage has written.
 #include "hw-sim/monitor/stage_monitor.h"
 
-#include "hw-sim/monitor/midi_words.h"
+#include "hw-sim/monitor/midi_text.h"
 
 #include <gtest/gtest.h>
 
@@ -118,7 +118,7 @@ TEST_F(Monitored, TellsTheLastMidiMessagesInWordsWithWhatTheyAreFor) {
 }
 
 TEST_F(Monitored, SaysEachKindOfMidiMessageInItsWords) {
-  const auto words = [](std::uint32_t bytes) { return MidiWords(board::MidiHeard::Message{.bytes = bytes}); };
+  const auto words = [](std::uint32_t bytes) { return MidiText(board::MidiHeard::Message{.bytes = bytes}); };
   EXPECT_EQ(words(0x002480), "note 36 off");
   EXPECT_EQ(words(0x002490), "note 36 off") << "a velocity of 0";
   EXPECT_EQ(words(0x0524A0), "note 36 pressed 5");

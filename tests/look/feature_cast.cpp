@@ -33,9 +33,9 @@ float Distance_cm(glm::vec2 from, glm::vec2 a, glm::vec2 b) {
   return glm::distance(from, a + t * (b - a));
 }
 
-bool IsBrow(const appearance::BrowLook& brows, glm::vec2 place_cm) {
+bool IsBrow(const appearance::BrowLook& brows, glm::vec2 uv_cm) {
   for (std::size_t i = 1; i < brows.path_cm.size(); ++i) {
-    if (Distance_cm(place_cm, brows.path_cm[i - 1], brows.path_cm[i]) < kBrowHalfWidth_cm) return true;
+    if (Distance_cm(uv_cm, brows.path_cm[i - 1], brows.path_cm[i]) < kBrowHalfWidth_cm) return true;
   }
   return false;
 }

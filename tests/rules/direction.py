@@ -42,12 +42,6 @@ def room_of(path):
     return next(((room, allowed) for room, allowed in table.MAY_INCLUDE if path.startswith(room)), None)
 
 
-def own_folder(path):
-    """The first two folders: a room of its own ("appliance/programs/stage/")."""
-    parts = path.split("/")
-    return "/".join(parts[: min(2, len(parts) - 1)]) + "/"
-
-
 def check_quoted(include):
     """The rule that a "quoted" include breaks, or None."""
     if not include.target.startswith(table.EVERYTHING) or ".." in include.target.split("/"):

@@ -20,6 +20,10 @@ KINDS = {
 AT_ONCE = 100
 
 
+class ToolError(Exception):
+    """A tool could not work, so that nothing is known of the sources."""
+
+
 def of_kind(root, kind):
     """Paths of the tree that are sources, shell scripts or Python, by their ending or their first line."""
     for path, file in words.files(root):
@@ -28,22 +32,29 @@ def of_kind(root, kind):
             yield path
 
 
-def run(root, command, paths):
-    """What a tool says of the paths, a few at a time."""
+def run(root, command, paths, may_fail=True):
+    """What a tool says of the paths, a few at a time. Shellcheck and pyflakes end with 1 where they find a fault, clang-format only
+    where it could not work, as with a configuration that it cannot read: that is a fault of its own."""
     paths = list(paths)
     for begin in range(0, len(paths), AT_ONCE):
         done = subprocess.run([*command, *paths[begin:begin + AT_ONCE]], cwd=root, capture_output=True, text=True, check=False)
         yield from (done.stdout + done.stderr).splitlines()
+        if done.returncode != 0 and not may_fail:
+            said = (done.stderr.splitlines() or ["it said nothing"])[0]
+            raise ToolError(f"{command[0]} ended with {done.returncode}: {said}")
 
 
 def unformatted(root):
-    for line in run(root, ["clang-format", "--dry-run"], of_kind(root, "source")):
+    for line in run(root, ["clang-format", "--dry-run"], of_kind(root, "source"), may_fail=False):
         if match := re.match(r"(\S+):\d+:\d+: warning: code should be clang-formatted", line):
             yield match[1]
 
 
 def offences(root):
-    yield from (f"{path}: is not formatted; ./box format does it" for path in sorted(set(unformatted(root))))
+    try:
+        yield from (f"{path}: is not formatted; ./box format does it" for path in sorted(set(unformatted(root))))
+    except ToolError as error:
+        yield str(error)
     yield from run(root, ["shellcheck", "--format=gcc", "--severity=warning", "--external-sources"], of_kind(root, "shell"))
     yield from run(root, ["pyflakes3"], of_kind(root, "python"))
 
@@ -51,7 +62,10 @@ def offences(root):
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     if "--apply" in sys.argv:
-        list(run(root, ["clang-format", "-i"], of_kind(root, "source")))
+        try:
+            list(run(root, ["clang-format", "-i"], of_kind(root, "source"), may_fail=False))
+        except ToolError as error:
+            sys.exit(str(error))
         return 0
     found = list(offences(root))
     print("\n".join(found) or "all is formatted; shellcheck and pyflakes find nothing")

@@ -79,6 +79,23 @@ class Words(Tree):
                 is_refused = any(re.fullmatch(pattern, word) for pattern in patterns)
                 self.assertEqual(is_refused, not word.startswith("*"))
 
+    def test_are_refused_in_names_of_files_that_are_plain_in_code(self):
+        self.write("drivers/hid/frame_words.cpp", "int words = 0;\n")
+        self.assertEqual([line.split(": ")[:2] for line in words.offences(self.root)], [["drivers/hid/frame_words.cpp", "the file's name"]])
+
+    def test_are_refused_in_all_text_files_whatever_their_endings(self):
+        for path in ("rootfs/a.conf", "rootfs/a.path", "rootfs/a.mount", "rootfs/a.rules", "rootfs/a.bb", "rootfs/a.yml", "docs/a.svg",
+                     "rootfs/a.config", "tests/a.json", "rootfs/a.wks", "firmware/a.S", "tool"):
+            with self.subTest(path):
+                self.write(path, "# A stranger was plugged in.\n")
+                self.assertEqual([line.split(": ")[0] for line in words.offences(self.root) if line.startswith(path)], [f"{path}:1"])
+
+    def test_of_hands_are_refused_but_for_those_of_a_clock_or_a_body_and_for_the_verb(self):
+        self.write("a.md", "Hands play it.\nThe layer under hands.\nIt stays in those hands.\n")
+        self.assertEqual(len(list(words.offences(self.root))), 3)
+        self.write("a.md", "The reader hands it on, and hands over the rest. Eight clock hands.\nThey have both in their hands. On the other hand.\n")
+        self.assertEqual(list(words.offences(self.root)), [])
+
     def test_that_are_plain_pass(self):
         self.write("drivers/hid/a.cpp", '// Takes the newest report; signs and lights as in "handle".\nint device_slot = 0;\n')
         self.assertEqual(list(words.offences(self.root)), [])
@@ -92,17 +109,32 @@ class Unused(Tree):
         self.write("drivers/base/a.h", self.HEADER)
         self.write("drivers/base/a.cpp", '#include "drivers/base/a.h"\nint Doubled(int value) {\n  return 2 * value;\n}\n')
 
+    def found(self, exempt=()):
+        return list(unused.offences(self.root, exempt))
+
     def test_names_what_only_tests_use(self):
         self.write("tests/drivers/a_test.cpp", "int x = Doubled(2);\n")
-        self.assertEqual(list(unused.offences(self.root)), ["drivers/base/a.h:3: Doubled"])
+        self.assertEqual(self.found(), ["drivers/base/a.h:3: Doubled: only tests use it, or nobody"])
+
+    def test_names_an_accessor_that_only_tests_use(self):
+        self.write("drivers/base/b.h", "// A header.\n#pragma once\nclass B {\n public:\n  int triangle_count() const { return 1; }\n"
+                                       "  std::size_t bytes() const;\n};\n")
+        self.write("drivers/base/b.cpp", "std::size_t B::bytes() const {\n  return Doubled(2);\n}\n")
+        self.write("tests/drivers/b_test.cpp", "int x = B().triangle_count() + B().bytes();\n")
+        self.assertEqual([line.split(": ")[1] for line in self.found()], ["bytes", "triangle_count"])
+
+    def test_names_an_exemption_that_is_needed_no_longer(self):
+        self.assertEqual(self.found({"Doubled": "for tests"}), [])
+        self.write("drivers/hid/b.cpp", "int x = Doubled(2);\n")
+        self.assertEqual([line.split(": ")[1] for line in self.found({"Doubled": "for tests", "Halved": "is gone"})], ["Doubled", "Halved"])
 
     def test_does_not_count_comments(self):
         self.write("drivers/hid/b.cpp", "// See Doubled(2).\n")
-        self.assertEqual(len(list(unused.offences(self.root))), 1)
+        self.assertEqual(len(self.found()), 1)
 
     def test_lets_pass_what_the_product_uses(self):
         self.write("drivers/hid/b.cpp", "int x = Doubled(2);\n")
-        self.assertEqual(list(unused.offences(self.root)), [])
+        self.assertEqual(self.found(), [])
 
 
 class Format(Tree):
@@ -114,6 +146,13 @@ class Format(Tree):
         self.write("drivers/a.cpp", "int   x  =  1;\n")
         self.write("drivers/b.cpp", "int x = 1;\n")
         self.assertEqual(list(format.offences(self.root)), ["drivers/a.cpp: is not formatted; ./box format does it"])
+
+    def test_names_a_configuration_that_clang_format_cannot_read(self):
+        self.write(".clang-format", "BasedOnStyle: Nobodys\n")
+        self.write("drivers/a.cpp", "int   x  =  1;\n")
+        found = list(format.offences(self.root))
+        self.assertEqual(len(found), 1, found)
+        self.assertIn("clang-format ended with 1: ", found[0])
 
     def test_names_faults_of_scripts_with_and_without_an_ending(self):
         self.write("a.sh", "#!/usr/bin/env bash\nlocal x=$(ls)\n")

@@ -27,13 +27,23 @@ def deps_of(body):
     return found
 
 
-def libraries(root):
-    """(file, room, library, its dependencies), of every CMakeLists.txt but those of tests; libraries of the system are left out."""
+def declared(root):
+    """(file, room, library, all that stands behind its name), of every CMakeLists.txt but those of tests."""
     rooms = (root / room for room in table.SOURCE_ROOMS if room != "tests")
     for file in sorted(file for room in rooms for file in room.rglob("CMakeLists.txt")):
         path = file.relative_to(root)
         for name, body in LIBRARY.findall(file.read_text(encoding="utf-8")):
-            yield str(path), f"{path.parent.as_posix()}/", name, deps_of(body)
+            yield str(path), f"{path.parent.as_posix()}/", name, body
+
+
+def libraries(root):
+    """(file, room, library, its dependencies), those of the system among them."""
+    return ((path, room, name, deps_of(body)) for path, room, name, body in declared(root))
+
+
+def with_sources(root):
+    """(file, room, library, whether it has sources, so that an archive is made of it)."""
+    return ((path, room, name, "SOURCES" in body.split()) for path, room, name, body in declared(root))
 
 
 def offences(root):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""A library that links against the direction is named, and what it would call there really is not found: links_test.py ROOT BUILD COMPILER"""
+"""A library that links against the direction is named, and one that calls what it does not declare: links_test.py ROOT BUILD COMPILER"""
 
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -9,13 +10,14 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import links  # noqa: E402  The folder must be on the path first.
+import symbols  # noqa: E402
 
 ROOT, BUILD, COMPILER = (pathlib.Path(word) for word in (sys.argv[1:4] if len(sys.argv) > 3 else (".", ".", "c++")))
 
 # Of a room that is further up: the decoders know nothing of the board.
 CALLS_THE_BOARD = """
 #include "appliance/core/board/board.h"
-int main() { return kaori::board::Board::Open("/nothing").has_value() ? 0 : 1; }
+bool SeeTheBoard() { return kaori::board::Board::Open("/nothing").has_value(); }
 """
 
 
@@ -26,20 +28,6 @@ def offences(**files):
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, encoding="utf-8")
         return list(links.offences(pathlib.Path(folder)))
-
-
-def archives(*rooms):
-    """Twice, since libraries of the product call each other in one direction, whatever their order here."""
-    found = [file for room in rooms for file in sorted((BUILD / room).rglob("*.a"))]
-    return [*map(str, found)] * 2
-
-
-def link(libraries):
-    with tempfile.TemporaryDirectory() as folder:
-        source = pathlib.Path(folder, "calls.cpp")
-        source.write_text(CALLS_THE_BOARD, encoding="utf-8")
-        return subprocess.run([COMPILER, "-std=c++20", f"-I{ROOT}", "-DFMT_SHARED", source, *libraries, "-lfmt", "-o", pathlib.Path(folder, "calls")],
-                              capture_output=True, text=True, check=False)
 
 
 class Links(unittest.TestCase):
@@ -63,14 +51,38 @@ class Links(unittest.TestCase):
     def test_of_the_project_run_with_the_direction(self):
         self.assertEqual(list(links.offences(ROOT)), [])
 
-    def test_without_the_room_that_is_called_fail(self):
-        built = link(archives("drivers/decode", "drivers/base"))
-        self.assertNotEqual(built.returncode, 0)
-        self.assertIn("undefined reference to `kaori::board::Board::Open", built.stderr)
 
-    def test_with_that_room_succeed(self):
-        built = link(archives("appliance/core/board", "drivers/decode", "drivers/ports", "drivers/base"))
-        self.assertEqual(built.returncode, 0, built.stderr)
+class Symbols(unittest.TestCase):
+    def with_source(self, library, text):
+        """What is said of the built archives when one more source is in that library's."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        found, missing = symbols.archives(ROOT, BUILD)
+        self.assertEqual(missing, [])
+        seeded = pathlib.Path(folder.name, "seeded.cpp")
+        seeded.write_text(text, encoding="utf-8")
+        subprocess.run([COMPILER, "-std=c++20", f"-I{ROOT}", "-c", seeded, "-o", seeded.with_suffix(".o")], check=True)
+        archive = pathlib.Path(folder.name, found[library].name)
+        shutil.copyfile(found[library], archive)
+        subprocess.run(["ar", "r", archive, seeded.with_suffix(".o")], check=True, capture_output=True)
+        return list(symbols.undeclared(ROOT, found | {library: archive}))
+
+    def test_that_a_library_calls_and_does_not_declare_are_named(self):
+        found = self.with_source("drivers_decode", CALLS_THE_BOARD)
+        self.assertTrue(any("drivers_decode: kaori::board::Board::Open(" in line and line.endswith("of appliance_core_board, which it does not declare")
+                            for line in found), found)
+        self.assertEqual([line for line in found if not line.startswith("drivers_decode: ")], [])
+
+    def test_of_what_is_declared_at_any_depth_pass(self):
+        self.assertEqual(self.with_source("appliance_programs_stage", CALLS_THE_BOARD), [])
+
+    def test_of_the_built_project_are_all_declared(self):
+        self.assertEqual(list(symbols.offences(ROOT, BUILD)), [])
+
+    def test_of_an_archive_that_is_not_built_are_missed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertIn("drivers/decode/CMakeLists.txt: drivers_decode: its archive libdrivers_decode.a is not built",
+                          list(symbols.offences(ROOT, pathlib.Path(folder))))
 
 
 if __name__ == "__main__":

@@ -61,6 +61,17 @@ def pictures_with_a_face_show_how_it_is_drawn():
         assert name == "docs/desk.png" or {"render/shaders", "appliance/authoring/sculpt"} <= set(sources), name
 
 
+def no_picture_is_left_out():
+    """A raster picture of a page that PICTURES does not name would never be called old."""
+    there = {str(file.relative_to(ROOT)) for file in (ROOT / "docs").rglob("*") if file.suffix in (".png", ".jpg", ".jpeg", ".gif", ".webp")}
+    assert there == set(pictures.PICTURES), f"docs/pictures.py does not make {there - set(pictures.PICTURES)}"
+
+
+def pictures_of_pages_show_what_takes_them():
+    for name in ("docs/console.png", "docs/desk.png"):
+        assert "docs/pictures.mjs" in pictures.PICTURES[name], name
+
+
 def every_source_exists():
     for name, sources in pictures.PICTURES.items():
         for source in sources:
@@ -73,4 +84,6 @@ if __name__ == "__main__":
     notices_a_change()
     notices_changed_drawing_and_no_comment()
     pictures_with_a_face_show_how_it_is_drawn()
+    no_picture_is_left_out()
+    pictures_of_pages_show_what_takes_them()
     every_source_exists()

@@ -242,6 +242,15 @@ class Shape(unittest.TestCase):
             own = f'const auto file = {place}("starts-" + std::to_string(::getpid()));\n'
             self.assertEqual(against_shape("tests/drivers/a_test.cpp", own), [])
 
+    def test_names_an_error_that_is_read_from_errno_after_a_stream(self):
+        wrong = 'int A() {\n  std::ifstream file(path);\n  if (!file) return FailErrno("read");\n}\n'
+        self.assertEqual(against_shape("hw-sim/a.cpp", wrong),
+                         ["hw-sim/a.cpp: line 3: FailErrno after a stream, which leaves no cause in errno; use Fail, or open(2)"])
+        self.assertEqual(len(against_shape("hw-sim/a.cpp", 'int A() {\n  if (!std::ofstream(file)) return FailErrno("write");\n}\n')), 1)
+        before = '#include <fstream>\nint A() {\n  if (!fd.valid()) return FailErrno("open");\n  std::ifstream file(path);\n}\n'
+        other = 'int B() {\n  return FailErrno("open");\n}\n'
+        self.assertEqual(against_shape("hw-sim/a.cpp", before + other), [])
+
     def test_names_a_file_that_is_too_long(self):
         found = against_shape("render/gl/a.cpp", "\n" * 301)
         self.assertEqual(len(found), 1)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Names headers without a purpose line or #pragma once, and files that are too long.
+"""Names headers without a purpose line or #pragma once, files that are too long, and errors that are read from errno after streams.
 
 Usage: shape.py ROOT     prints "file: rule" for each, and exits 1 when there is one.
 """
@@ -17,6 +17,21 @@ OF_ONE_TEST = re.compile(r"getpid|XXXXXX")
 
 # One sentence from the first line on; it may run over into the second.
 PURPOSE = re.compile(r"^// [A-Z0-9][^\n]*[.](?: [^\n]*)?(?:\n|$)|^// [A-Z0-9][^\n]*\n// [^\n]*[.]")
+
+
+# Streams do not say that they set errno, and what they do afterwards may change it: no cause is left to read.
+STREAM = re.compile(r"\b(?:std::)?[io]?fstream\b(?!>)|\bstd::getline\b|\bstream_\b")
+
+
+def check_errno(lines):
+    """A function ends at a closing brace on the edge of a line; what a stream did in another one is over."""
+    has_stream = False
+    for number, line in enumerate(lines, 1):
+        code = line.split("//")[0]
+        has_stream = has_stream or bool(STREAM.search(code))
+        if has_stream and "FailErrno(" in code:
+            yield f"line {number}: FailErrno after a stream, which leaves no cause in errno; use Fail, or open(2)"
+        has_stream = has_stream and not code.startswith("}")
 
 
 def check_header(lines):
@@ -41,7 +56,7 @@ def offences(root):
     for path, file in direction.sources(root):
         text = file.read_text(encoding="utf-8", errors="replace")
         lines = text.splitlines()
-        faults = [*check_length(path, lines), *(check_header(lines) if file.suffix in (".h", ".hpp") else ())]
+        faults = [*check_length(path, lines), *check_errno(lines), *(check_header(lines) if file.suffix in (".h", ".hpp") else ())]
         if path.startswith("tests/"):
             faults += check_test_files(text)
         yield from (f"{path}: {fault}" for fault in faults)

@@ -120,5 +120,6 @@ FOR_TESTS_TOO = ("hw-sim/devices/", "hw-sim/chip/", "hw-sim/links/", "hw-sim/sce
 # Declared in the product's headers and used by no code of the product, each with its reason (tests/rules/unused.py).
 USED_FROM_OUTSIDE = {
     "EncodePack": "a pack as bytes, which tests and fuzzers damage; SavePack writes the same to a file",
-    "NotePress": "counts and logs a press as kaori-input does, for boards that tests write",
+    "pairing": "a test of the desk reads the code from it, as a visitor does from the screen",
+    "saving": "a test of the desk waits until the settings are written",
 }

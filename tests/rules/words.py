@@ -3,7 +3,7 @@
 
 Usage: words.py ROOT     prints "file:line: word: say ..." for each, and exits 1 when there is one.
 
-In code, names are taken apart (`SeatLids`, `stick_seat`) and their parts are looked at, in scripts too; comments, texts and pages are
+All text files of the tree are read. In code, names are taken apart (`SeatLids`, `stick_seat`) and their parts are looked at, in scripts too; comments, texts and pages are
 read as English. A word may stand where an exemption says so, with its reason. Words that are common ones elsewhere are refused in the
 folders alone where they would mean something of our own.
 """
@@ -12,9 +12,6 @@ import pathlib
 import re
 import subprocess
 import sys
-
-CODE = (".h", ".hpp", ".c", ".cpp", ".fbs", ".vert", ".frag", ".glsl", ".js", ".mjs", ".py", ".sh", ".cmake")
-PAGES = (".md", ".toml", ".txt", ".service", ".socket", ".target", ".play", ".html", ".css")
 
 # (part of a name, what to say). Looked for in names of code and of files.
 NAMES = (
@@ -33,6 +30,8 @@ NAMES = (
     (r"deeds?", "actions, commands"),
     (r"riddles?", "the plain name"),
 )
+# (part of a file's name, what to say): in code these are usual words.
+FILES = ((r"words", "protocol, tokenizer, messages, names, by what it holds"),)
 # (path's beginning, part of a name, what to say): in other folders the word is a usual one.
 WITHIN = (
     ("drivers/scanout/", r"sheets?", "DumbBuffer, framebuffer"),
@@ -71,6 +70,8 @@ PROSE = (
     (r"riddles?", "the plain name"),
     (r"kaori-(?:light|holder|figures)", "kaori-boot, kaori-fdkeeper, kaori-benchmark"),
     (r"microbenchmarks?", "benchmark"),
+    # Not the verb ("hands over", "hands it on"), nor those of a clock or of a body.
+    (r"(?<!clock )(?<!passing )(?<!clothes, )(?<!in their )hands(?! (?:over|on|out|back|it|them|the|a|what)\b)", "operator input, operators"),
 )
 
 # (path's beginning, pattern of NAMES or PROSE, reason).
@@ -95,11 +96,11 @@ def exempt(path, pattern):
     return any(path.startswith(begin) and wanted in (None, pattern) for begin, wanted, _ in EXEMPT)
 
 
-def in_name(path, name):
+def in_name(path, name, more=()):
     """The first refused part of a name, as (part, what to say)."""
     within = tuple((pattern, say) for begin, pattern, say in WITHIN if path.startswith(begin))
     for part in SPLIT.findall(name):
-        for pattern, say in NAMES + within:
+        for pattern, say in (*NAMES, *within, *more):
             if re.fullmatch(pattern, part.lower()) and not exempt(path, pattern):
                 return part, say
     return None
@@ -133,13 +134,11 @@ def files(root):
 def offences(root):
     """Lines "file:line: word: say ...", one for each refused word."""
     for path, file in files(root):
-        if found := in_name(path, path):
+        if found := in_name(path, path, FILES):
             yield f"{path}: the file's name: {found[0]}: say {found[1]}"
-        if file.suffix not in CODE + PAGES and file.suffix:
-            continue
         try:
             text = file.read_text(encoding="utf-8")
-        except UnicodeDecodeError:
+        except UnicodeDecodeError:  # A picture or a sound.
             continue
         for number, line in enumerate(text.split("\n"), 1):
             yield from (f"{path}:{number}: {word}: say {say}" for word, say in in_prose(path, line))

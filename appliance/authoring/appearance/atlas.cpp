@@ -96,7 +96,7 @@ Atlas EmptyAtlas(int size_px) {
   for (int y = 0; y < size_px; ++y) {
     for (int x = 0; x < size_px; ++x) {
       const glm::dvec2 unit((x + 0.5) / size_px, 1 - (y + 0.5) / size_px);
-      atlas.texels[next++].place_cm = sculpt::PlaceFromTexture(unit);
+      atlas.texels[next++].uv_cm = sculpt::UvFromTexture(unit);
     }
   }
   return atlas;
@@ -124,8 +124,8 @@ Atlas UnrollSurface(const face::Topology& topology, const std::vector<sculpt::Pa
   return atlas;
 }
 
-glm::vec2 TexelFromPlace(glm::vec2 place_cm, int size_px) {
-  return TexelFromTexture(glm::vec2(sculpt::TextureFromPlace(place_cm)), size_px);
+glm::vec2 TexelFromUv(glm::vec2 uv_cm, int size_px) {
+  return TexelFromTexture(glm::vec2(sculpt::TextureFromUv(uv_cm)), size_px);
 }
 
 }  // namespace kaori::appearance

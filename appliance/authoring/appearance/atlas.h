@@ -19,7 +19,7 @@ namespace kaori::appearance {
 // u is positive on the character's left.
 struct Texel {
   // On the unrolled surface (sculpt/texture_map.h). Known everywhere, also outside the surface.
-  glm::vec2 place_cm{};
+  glm::vec2 uv_cm{};
   // 0 .. 7, never negative: it does not jump through 0 at an eye's corners.
   float eye_ring = 0;
   // 0 below the eye .. 1 above it; fades over the corners.
@@ -33,8 +33,8 @@ struct Texel {
   float spout = 0;
   bool covered = false;  // A triangle of the fine mesh lies here.
 
-  // The place on the left half: most paint is the same on both sides.
-  glm::vec2 mirrored() const { return {place_cm.x < 0 ? -place_cm.x : place_cm.x, place_cm.y}; }
+  // The uv on the left half: most paint is the same on both sides.
+  glm::vec2 mirrored() const { return {uv_cm.x < 0 ? -uv_cm.x : uv_cm.x, uv_cm.y}; }
 };
 
 // A square of texels, made once for a cast and borrowed by every canvas.
@@ -55,7 +55,7 @@ struct Atlas {
 Atlas UnrollSurface(const face::Topology& topology, const std::vector<sculpt::PaintAttributes>& attributes,
                     int size_px);
 
-// The texel whose centre is nearest to a place, in texels from the top left; may lie between two.
-glm::vec2 TexelFromPlace(glm::vec2 place_cm, int size_px);
+// The texel whose centre is nearest to a uv, in texels from the top left; may lie between two.
+glm::vec2 TexelFromUv(glm::vec2 uv_cm, int size_px);
 
 }  // namespace kaori::appearance

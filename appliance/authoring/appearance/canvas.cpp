@@ -79,8 +79,8 @@ Box BoxOf(const Stroke& s, int size_px) {
   const float margin_cm = s.half_width_cm + kSoftEdge_cm;
   const glm::vec2 low = glm::min(glm::min(s.root_cm, s.tip_cm), s.bend_cm) - margin_cm;
   const glm::vec2 high = glm::max(glm::max(s.root_cm, s.tip_cm), s.bend_cm) + margin_cm;
-  const glm::vec2 top_left = TexelFromPlace({low.x, high.y}, size_px);
-  const glm::vec2 bottom_right = TexelFromPlace({high.x, low.y}, size_px);
+  const glm::vec2 top_left = TexelFromUv({low.x, high.y}, size_px);
+  const glm::vec2 bottom_right = TexelFromUv({high.x, low.y}, size_px);
   const auto clip = [size_px](float v) { return std::clamp(static_cast<int>(v), 0, size_px - 1); };
   return {clip(top_left.x), clip(top_left.y), clip(bottom_right.x + 1), clip(bottom_right.y + 1)};
 }
@@ -133,8 +133,8 @@ void Paint::MixGloss(float amount, float over) {
 }
 
 // Nearest texel; what is painted there so far.
-glm::vec3 Canvas::Sample(glm::vec2 place_cm) const {
-  const glm::vec2 at = TexelFromPlace(place_cm, atlas_.size_px);
+glm::vec3 Canvas::Sample(glm::vec2 uv_cm) const {
+  const glm::vec2 at = TexelFromUv(uv_cm, atlas_.size_px);
   return texels_[IndexOf(std::lround(at.x), std::lround(at.y), atlas_.size_px)].colour;
 }
 
@@ -145,8 +145,8 @@ void Canvas::Draw(const Stroke& stroke) {
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {
       const std::size_t i = IndexOf(x, y, atlas_.size_px);
-      const Nearest nearest = NearestOn(line, atlas_.texels[i].place_cm);
-      // Strokes are judged in places, not in texels: texels differ in size over the surface.
+      const Nearest nearest = NearestOn(line, atlas_.texels[i].uv_cm);
+      // Strokes are judged by uv, not by texels: texels differ in size over the surface.
       if (nearest.distance_cm > stroke.half_width_cm + kSoftEdge_cm || InMouth(atlas_.texels[i])) continue;
       texels_[i].Mix(Coverage(stroke, nearest), stroke.colour);
     }

@@ -39,7 +39,7 @@ struct Stroke {
   glm::vec3 colour{};
 };
 
-// A texture in work; not thread-safe. A place that the texture does not hold is clipped.
+// A texture in work; not thread-safe. A uv that the texture does not hold is clipped.
 class Canvas {
  public:
   // Borrows the atlas for its own life.
@@ -49,8 +49,8 @@ class Canvas {
   // By the atlas's order.
   Paint& at(std::size_t i) { return texels_[i]; }
 
-  // The colour at a place, for strokes that take after what they lie on.
-  glm::vec3 Sample(glm::vec2 place_cm) const;
+  // The colour at a uv, for strokes that take after what they lie on.
+  glm::vec3 Sample(glm::vec2 uv_cm) const;
 
   // Rasterises the stroke with soft edges of one texel, laid over what is there. Time grows with the stroke's
   // box in texels. Nothing is drawn in the mouth's bag.

@@ -40,8 +40,6 @@ class ClothMesh {
   // the rim between.
   void AddSolid(const Patch& patch, const std::function<float(int, int)>& thickness_cm);
 
-  int triangle_count() const { return static_cast<int>(mesh_.triangles.size()); }
-
   // Hands out the prop: positions in metres, smooth unit normals, tangents along the rows, shade 1. Triangles
   // without area were left out.
   face::Prop Finish(std::string name, face::Part part, glm::vec3 colour) &&;

@@ -83,7 +83,7 @@ void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint) {
   PaintMuzzleShade(p, look, paint);
   PaintWhiskerSpots(p, coat, paint);
   const float nose = Nose(p, coat);
-  const float bumps = 0.75F + 0.5F * Noise(texel.place_cm.x * 14, texel.place_cm.y * 14);
+  const float bumps = 0.75F + 0.5F * Noise(texel.uv_cm.x * 14, texel.uv_cm.y * 14);
   paint.Mix(0.98F * nose, Hex("#221a19") * bumps);
   paint.MixGloss(nose, 0.75F * bumps);
   const float slit = Bell(p.x, 0.09F) * Edge(coat.slit_bottom_cm, p.y) * Edge(coat.slit_top_cm, p.y);
@@ -108,14 +108,14 @@ void DrawFur(Canvas& canvas, const CoatLook& coat) {
     const int y = static_cast<int>(dice.Unit() * static_cast<float>(atlas.size_px));
     const Texel& texel = atlas.at(std::min(x, atlas.size_px - 1), std::min(y, atlas.size_px - 1));
     if (Bald(texel, coat)) continue;
-    const float side = texel.place_cm.x < 0 ? -1.0F : 1.0F;
+    const float side = texel.uv_cm.x < 0 ? -1.0F : 1.0F;
     const float coarse = 1 + 0.8F * SmoothStep(5, 9, texel.mirrored().x);
     glm::vec2 lie =
         Lie(texel.mirrored(), texel.ear_ring, coat) + 0.35F * glm::vec2(dice.Spread(), dice.Spread());
     lie = glm::normalize(lie) * dice.Between(0.25F, 0.6F) * coarse * glm::vec2(side, 1);
-    const glm::vec2 bend = texel.place_cm + lie * 0.5F + 0.06F * glm::vec2(dice.Spread(), dice.Spread());
-    const glm::vec3 colour = canvas.Sample(texel.place_cm) * dice.Between(0.72F, 1.28F);
-    canvas.Draw({texel.place_cm, bend, texel.place_cm + lie, dice.Between(0.014F, 0.03F) * coarse,
+    const glm::vec2 bend = texel.uv_cm + lie * 0.5F + 0.06F * glm::vec2(dice.Spread(), dice.Spread());
+    const glm::vec3 colour = canvas.Sample(texel.uv_cm) * dice.Between(0.72F, 1.28F);
+    canvas.Draw({texel.uv_cm, bend, texel.uv_cm + lie, dice.Between(0.014F, 0.03F) * coarse,
                  dice.Between(0.3F, 0.7F), colour});
   }
 }

@@ -12,8 +12,8 @@
 namespace kaori::appearance {
 namespace {
 
-// Half a seam's width; a rivet's radius is three times that.
-constexpr float kSeam_cm = 0.05F;  // Half a seam's width.
+// Half a seam's width, and a rivet's radius, which is some three times that.
+constexpr float kSeam_cm = 0.05F;
 constexpr float kRivet_cm = 0.17F;
 
 // How far from the nearest seam (signed, x), and how far along it (y).
@@ -67,9 +67,9 @@ void PaintGrille(const Texel& texel, const SkinLook& look, Paint& paint) {
 }
 
 // Enamel: faintly uneven, rubbed in places.
-void PaintEnamel(glm::vec2 place, Paint& paint) {
+void PaintEnamel(glm::vec2 uv_cm, Paint& paint) {
   const float cloud =
-      0.6F * Noise(place.x * 0.35F + 20, place.y * 0.35F) + 0.4F * Noise(place.x, place.y + 30);
+      0.6F * Noise(uv_cm.x * 0.35F + 20, uv_cm.y * 0.35F) + 0.4F * Noise(uv_cm.x, uv_cm.y + 30);
   paint.colour *= 0.94F + 0.12F * cloud;
   paint.gloss *= 0.8F + 0.3F * cloud;
 }
@@ -80,7 +80,7 @@ void PaintEnamel(glm::vec2 place, Paint& paint) {
 void PaintFlat(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};
-  paint.colour *= 0.985F + 0.03F * Noise(texel.place_cm.x * 0.5F, texel.place_cm.y * 0.5F);
+  paint.colour *= 0.985F + 0.03F * Noise(texel.uv_cm.x * 0.5F, texel.uv_cm.y * 0.5F);
   paint.Mix(look.blush_amount * Bell2(p, look.blush_spot.at_cm, look.blush_spot.radii_cm), look.blush);
   paint.Mix(0.5F * look.nostrils * Bell2(p, look.nostrils_spot.at_cm, look.nostrils_spot.radii_cm),
             look.base * 0.25F);
@@ -90,7 +90,7 @@ void PaintFlat(const Texel& texel, const SkinLook& look, Paint& paint) {
 void PaintShell(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};
-  PaintEnamel(texel.place_cm, paint);
+  PaintEnamel(texel.uv_cm, paint);
   const float cheek = glm::length(p - look.blush_spot.at_cm);
   paint.Mix(look.blush_amount * SmoothStep(look.blush_spot.radii_cm.x, look.blush_spot.radii_cm.y, cheek),
             look.blush);

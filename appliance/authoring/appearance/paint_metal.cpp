@@ -10,19 +10,19 @@ namespace {
 
 // Wear of old brass: level rings of the lathe, and a patina. Noise stretched 44 times along v makes level
 // rings; two octaves of it, squared, make a patina that gathers in spots.
-void PaintWear(glm::vec2 place, Paint& paint) {
+void PaintWear(glm::vec2 uv_cm, Paint& paint) {
   const float patina =
-      0.6F * Noise(place.x * 0.3F + 8, place.y * 0.3F) + 0.4F * Noise(place.x * 0.8F, place.y * 0.8F + 4);
-  const float spun = Noise(place.x * 0.25F, place.y * 11) - 0.5F;  // Turned on a lathe: fine level rings.
+      0.6F * Noise(uv_cm.x * 0.3F + 8, uv_cm.y * 0.3F) + 0.4F * Noise(uv_cm.x * 0.8F, uv_cm.y * 0.8F + 4);
+  const float spun = Noise(uv_cm.x * 0.25F, uv_cm.y * 11) - 0.5F;  // Turned on a lathe: fine level rings.
   paint.colour *= 1 + 0.035F * spun;
   paint.Mix(0.14F * patina * patina, Hex("#9a6a24"));
   paint.gloss *= 1 - 0.25F * patina;
 }
 
 // Below the belly, with an uneven edge.
-void PaintSoot(glm::vec2 place, float belly_cm, Paint& paint) {
-  const float edge = 1.6F * (Noise(place.x * 0.8F, 3) - 0.5F);
-  const float soot = SmoothStep(belly_cm + 1.2F + edge, belly_cm - 2.5F, place.y);
+void PaintSoot(glm::vec2 uv_cm, float belly_cm, Paint& paint) {
+  const float edge = 1.6F * (Noise(uv_cm.x * 0.8F, 3) - 0.5F);
+  const float soot = SmoothStep(belly_cm + 1.2F + edge, belly_cm - 2.5F, uv_cm.y);
   paint.Mix(0.6F * soot, Hex("#3a2a1c"));
   paint.MixGloss(soot, 0.2F);
 }
@@ -33,8 +33,8 @@ void PaintSoot(glm::vec2 place, float belly_cm, Paint& paint) {
 void PaintMetal(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};
-  PaintWear(texel.place_cm, paint);
-  PaintSoot(texel.place_cm, look.metal.belly_cm, paint);
+  PaintWear(texel.uv_cm, paint);
+  PaintSoot(texel.uv_cm, look.metal.belly_cm, paint);
   paint.Mix(look.blush_amount * Bell2(p, look.blush_spot.at_cm, look.blush_spot.radii_cm), look.blush);
   paint.Mix(0.75F * Bell(p.y - look.metal.lid_groove_cm, 0.12F), Hex("#5a3c10"));
   paint.Mix(0.35F * Bell(p.y - look.metal.lid_groove_cm - 0.3F, 0.1F), Hex("#f6dc92"));

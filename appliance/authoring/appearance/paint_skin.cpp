@@ -29,8 +29,8 @@ float Oil(glm::vec2 p) {
 }
 
 // Uneven skin, in blotches and in pores; mean 0.
-float Mottle(glm::vec2 place) {
-  return Noise(place.x * 1.1F + 40, place.y * 1.1F) * 0.6F + Noise(place.x * 6 + 90, place.y * 6) * 0.4F -
+float Mottle(glm::vec2 uv_cm) {
+  return Noise(uv_cm.x * 1.1F + 40, uv_cm.y * 1.1F) * 0.6F + Noise(uv_cm.x * 6 + 90, uv_cm.y * 6) * 0.4F -
          0.5F;
 }
 
@@ -41,7 +41,7 @@ void PaintStubble(const Texel& texel, float amount, Paint& paint) {
       SmoothStep(-3.9F, -5.2F, p.y) * SmoothStep(-11.5F, -9.6F, p.y) * SmoothStep(6.6F, 4.6F, p.x);
   const float sides = SmoothStep(4.2F, 5.4F, p.x) * SmoothStep(8.2F, 6.8F, p.x) * SmoothStep(2, -2, p.y) *
                       SmoothStep(-9, -6, p.y);
-  const float grain = 0.75F + 0.5F * (Noise(texel.place_cm.x * 26, texel.place_cm.y * 26) - 0.5F);
+  const float grain = 0.75F + 0.5F * (Noise(texel.uv_cm.x * 26, texel.uv_cm.y * 26) - 0.5F);
   paint.Mix(amount * grain * std::max(beard, 0.7F * sides), Hex("#7d6a66"));
 }
 
@@ -57,12 +57,12 @@ void PaintNostrils(glm::vec2 p, const SkinLook& look, Paint& paint) {
 
 }  // namespace
 
-// Numbers in braces are places and radii of the reference face; all faces share its unrolled surface, so
+// Numbers in braces are uv and radii of the reference face; all faces share its unrolled surface, so
 // they fit each.
 void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};
-  paint.colour *= 1 + 0.045F * Mottle(texel.place_cm);
+  paint.colour *= 1 + 0.045F * Mottle(texel.uv_cm);
   paint.Mix(look.blush_amount * Bell2(p, look.blush_spot.at_cm, look.blush_spot.radii_cm), look.blush);
   paint.Mix(Warmth(texel), look.blush);
   paint.Mix(Glow(p) * 0.9F, Hex("#ffe6d4") * look.base * 1.35F);
@@ -124,8 +124,7 @@ void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
   // Paint ends softly before the corners, which would be drawn out into points by a smile.
   const float in_corner = SmoothStep(1.45F, 1.98F, p.x);
   const float lip = SmoothStep(2.62F + 0.5F * in_corner, 3.22F + 0.9F * in_corner, k) * (1 - texel.bag);
-  const float lines =
-      Noise(texel.place_cm.x * 15 + 50, k * 0.5F) + 0.6F * Noise(texel.place_cm.x * 31, k * 0.9F);
+  const float lines = Noise(texel.uv_cm.x * 15 + 50, k * 0.5F) + 0.6F * Noise(texel.uv_cm.x * 31, k * 0.9F);
   const float shade = 1 - 0.16F * (lines - 0.8F) - 0.10F * texel.mouth_upper;
   paint.Mix(lip * look.amount, look.colour * shade);
   // Darker in the corners, darker still towards the contact line, light on the lower lip.

@@ -29,14 +29,14 @@ class ObjText {
     Add("v {:.6f} {:.6f} {:.6f}\n", p.x, p.y, p.z);
     return ++positions_;
   }
-  int Place(const glm::vec2& uv) {
+  int Uv(const glm::vec2& uv) {
     Add("vt {:.6f} {:.6f}\n", uv.x, uv.y);
-    return ++places_;
+    return ++uvs_;
   }
-  // Pairs of position and place, counter-clockwise seen from outside.
+  // Pairs of position and uv, counter-clockwise seen from outside.
   void Polygon(const std::vector<std::pair<int, int>>& corners) {
     text_ += "f";
-    for (const auto& [position, place] : corners) Add(" {}/{}", position, place);
+    for (const auto& [position, uv] : corners) Add(" {}/{}", position, uv);
     text_ += "\n";
   }
 
@@ -50,7 +50,7 @@ class ObjText {
 
   std::string text_;
   int positions_ = 0;
-  int places_ = 0;
+  int uvs_ = 0;
 };
 
 // One position for both sides of a seam, so that a tool which moves it does not tear the head open.
@@ -58,11 +58,11 @@ void WriteSkin(const face::Topology& topology, const face::Face& face, ObjText& 
   text.BeginObject(face.name);
   // By vertex of the cage: the numbers that the file gives its position and its texture coordinates.
   std::vector<int> position(topology.vertex_count);
-  std::vector<int> place;
+  std::vector<int> uv;
   for (Index v = 0; v < topology.vertex_count; ++v) {
     const Index first = std::min(v, topology.twin[v]);
     position[v] = first == v ? text.Position(face.positions[v]) : position[first];
-    place.push_back(text.Place(topology.texture[v]));
+    uv.push_back(text.Uv(topology.texture[v]));
   }
   // Diagonals of quads are no wires: what the artist gets are the quads.
   std::set<std::pair<Index, Index>> wires;
@@ -71,40 +71,38 @@ void WriteSkin(const face::Topology& topology, const face::Face& face, ObjText& 
   const auto is_wire = [&](Index a, Index b) { return wires.contains(std::minmax(weld(a), weld(b))); };
   for (const mesh::Polygon& polygon : PolygonsOf(topology.triangles, is_wire)) {
     std::vector<std::pair<int, int>> corners;
-    for (const Index v : polygon) corners.emplace_back(position[v], place[v]);
+    for (const Index v : polygon) corners.emplace_back(position[v], uv[v]);
     text.Polygon(corners);
   }
 }
 
-// Rows run from the pole in front to the one behind, columns round it. A pole has a place for each column, as
+// Rows run from the pole in front to the one behind, columns round it. A pole has a uv for each column, as
 // every corner wants one.
 void WriteBall(const face::EyeBall& ball, std::size_t side, ObjText& text) {
   text.BeginObject(side == 0 ? "eye_left" : "eye_right");
-  const auto place_of = [&](int row, int column) {
+  const auto uv_of = [&](int row, int column) {
     return glm::vec2(sculpt::kEyeTile[side] + 0.1F + 0.8F * static_cast<float>(column) / kAroundBall,
                      0.1F + 0.8F * static_cast<float>(row) / kAlongBall);
   };
-  // By row and column; the last column's positions are those of the first, its places are not.
+  // By row and column; the last column's positions are those of the first, its uv are not.
   std::vector<std::vector<int>> positions;
-  std::vector<std::vector<int>> places;
+  std::vector<std::vector<int>> uvs;
   for (int row = 0; row <= kAlongBall; ++row) {
     const float down = glm::radians(180.0F * static_cast<float>(row) / kAlongBall);
     positions.emplace_back();
-    places.emplace_back();
+    uvs.emplace_back();
     for (int column = 0; column <= kAroundBall; ++column) {
       const float round = glm::radians(360.0F * static_cast<float>(column) / kAroundBall);
       const glm::vec3 way(std::sin(down) * std::cos(round), std::sin(down) * std::sin(round), std::cos(down));
       const bool is_new = column == 0 || (row > 0 && row < kAlongBall && column < kAroundBall);
       positions.back().push_back(is_new ? text.Position(ball.centre + ball.radius_m * way)
                                         : positions.back().front());
-      places.back().push_back(text.Place(place_of(row, column)));
+      uvs.back().push_back(text.Uv(uv_of(row, column)));
     }
   }
   for (std::size_t row = 0; row < kAlongBall; ++row)
     for (std::size_t column = 0; column < kAroundBall; ++column) {
-      const auto corner = [&](std::size_t r, std::size_t c) {
-        return std::pair(positions[r][c], places[r][c]);
-      };
+      const auto corner = [&](std::size_t r, std::size_t c) { return std::pair(positions[r][c], uvs[r][c]); };
       std::vector corners{corner(row, column), corner(row + 1, column), corner(row + 1, column + 1),
                           corner(row, column + 1)};
       // At the poles two corners are one.

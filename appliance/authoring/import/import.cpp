@@ -14,8 +14,8 @@
 #include "appliance/authoring/import/imported_cast.h"
 #include "appliance/authoring/import/kept_script.h"
 #include "appliance/authoring/import/look.h"
-#include "appliance/authoring/import/mouth_place.h"
-#include "appliance/authoring/import/role_words.h"
+#include "appliance/authoring/import/mouth_uvs.h"
+#include "appliance/authoring/import/role_names.h"
 #include "appliance/authoring/import/shapes_on_show.h"
 #include "appliance/authoring/model/read_model.h"
 #include "appliance/core/show/check.h"
@@ -188,7 +188,7 @@ class Importing {
     const Index moving = OrderByMotion(heads_, wanted_);
     // Before the mouth is moved in the texture, which is a doubt of its own.
     made_.report.doubts = DoubtsAbout(heads_, ShapeOfHeads(heads_), landmarks_, moving);
-    GiveMouthItsPlace();
+    GiveMouthItsUvs();
     if (show_ != nullptr) made_.heads = *show_;
     face::Cast& cast = made_.heads.cast;
     cast = MakeCast(heads_, wanted_, moving, options.points);
@@ -204,7 +204,7 @@ class Importing {
   }
 
   // Teeth that lie over the skin in the texture would be painted onto it.
-  void GiveMouthItsPlace() {
+  void GiveMouthItsUvs() {
     constexpr float kBeside = 0.02F;  // Less than this is a common edge.
     const float over = MouthOverSkin(heads_);
     if (over < kBeside) return;

@@ -20,7 +20,7 @@ constexpr float kMoved_m = 1e-5F;
 // points to themselves.
 constexpr float kRigidShare = 0.02F;
 // Of the unit square, on each side: control points at its border hold still.
-constexpr float kPlaceMargin = 0.01F;
+constexpr float kUvMargin = 0.01F;
 // All of the motion this near to the line between the mouth's corners is the lips',
 constexpr float kLipsReach_m = 0.015F;
 constexpr float kMouthReach_m = 0.045F;  // none beyond this.
@@ -41,25 +41,24 @@ std::vector<float> Mobility(const std::vector<WantedShape>& shapes, std::size_t 
 
 // The texture's chart, larger or smaller as a whole so that it fills the parameter space with no stretch. The
 // parameter space is a rectangle of kParameterWidth_m by kParameterHeight_m, brought to the unit square.
-std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
+std::vector<glm::vec2> UvsWithin(const std::vector<glm::vec2>& uv) {
   glm::vec2 least = uv.front();
   glm::vec2 most = least;
   for (const glm::vec2& p : uv) {
     least = glm::min(least, p);
     most = glm::max(most, p);
   }
-  const glm::vec2 room =
-      (1 - 2 * kPlaceMargin) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m);
+  const glm::vec2 room = (1 - 2 * kUvMargin) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m);
   // A chart without width would be divided by zero; CheckUnfolding has refused it as flat.
   const glm::vec2 size = glm::max(most - least, glm::vec2(1e-6F));
   const float scale_m = std::min(room.x / size.x, room.y / size.y);
-  std::vector<glm::vec2> places;
+  std::vector<glm::vec2> within;
   for (const glm::vec2& p : uv) {
     const glm::vec2 from_middle = scale_m * (p - 0.5F * (least + most));
-    places.push_back(glm::vec2(0.5F) +
+    within.push_back(glm::vec2(0.5F) +
                      from_middle / glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m));
   }
-  return places;
+  return within;
 }
 
 // Each edge of the artist's polygons once, and once across a seam: quads without their diagonals look as
@@ -104,7 +103,7 @@ face::Topology MakeTopology(const Heads& heads, std::vector<float> mouth_share, 
   face::Topology topology;
   topology.vertex_count = static_cast<Index>(heads.skin.size());
   topology.moving_count = moving;
-  topology.uv = PlacesOf(heads.uv);
+  topology.uv = UvsWithin(heads.uv);
   topology.texture = heads.uv;
   topology.triangles = heads.triangles;
   topology.wires = WiresOf(heads.triangles, graph.welds());

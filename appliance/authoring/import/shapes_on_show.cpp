@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "appliance/authoring/import/role_words.h"
+#include "appliance/authoring/import/role_names.h"
 
 namespace kaori::import {
 namespace {

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "appliance/authoring/import/paint_places.h"
+#include "appliance/authoring/import/paint_uvs.h"
 #include "appliance/authoring/import/raster.h"
 
 namespace kaori::import {
@@ -43,12 +43,12 @@ void ForPixels(const std::array<glm::vec2, 3>& uv, Paint paint) {
 }
 
 // The nearest pixel, with v up; beyond the edges, the edge.
-Colour At(const face::Texture& texture, const glm::vec2& place) {
+Colour At(const face::Texture& texture, const glm::vec2& uv) {
   const auto along = [](float t, int size_px) {
     return std::clamp(static_cast<int>(t * static_cast<float>(size_px)), 0, size_px - 1);
   };
-  const int x = along(place.x, texture.width_px);
-  const int y = along(1 - place.y, texture.height_px);
+  const int x = along(uv.x, texture.width_px);
+  const int y = along(1 - uv.y, texture.height_px);
   const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width_px) +
                        static_cast<std::size_t>(x));
   return {texture.rgba[at], texture.rgba[at + 1], texture.rgba[at + 2], texture.rgba[at + 3]};
@@ -98,11 +98,11 @@ class Painting {
 };
 
 // Whether a triangle of the head, laid on the show's texture, runs across that one's seam.
-bool AreApart(const std::array<glm::vec2, 3>& places) {
+bool AreApart(const std::array<glm::vec2, 3>& uvs) {
   const auto far = [](const glm::vec2& a, const glm::vec2& b) {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > kFarthestApart;
   };
-  return far(places[0], places[1]) || far(places[1], places[2]) || far(places[2], places[0]);
+  return far(uvs[0], uvs[1]) || far(uvs[1], uvs[2]) || far(uvs[2], uvs[0]);
 }
 
 template <class Value>
@@ -190,11 +190,11 @@ SkinPainter::SkinPainter(const Heads& heads, const HeadShape& head, const std::v
                          const face::Cast& show)
     : heads_(heads), show_(show), inside_(InsideOfMouth(head)), lids_(head) {
   for (const Spot& spot : spots) {
-    place_.push_back(spot.Of(show.topology.texture));
+    uv_.push_back(spot.Of(show.topology.texture));
     shown_.push_back(ShownAt(spot.Of(show.faces.front().positions)));
-    if (shown_.back() > 0.02F && shown_.back() < 0.4F) at_edge_.push_back(place_.back());
+    if (shown_.back() > 0.02F && shown_.back() < 0.4F) at_edge_.push_back(uv_.back());
   }
-  SettlePlaces(heads, head, spots, show, place_);
+  SettleUvs(heads, head, spots, show, uv_);
 }
 
 // The ground goes on first, in the colour that the show's paint has where it fades. A triangle that would be
@@ -202,12 +202,12 @@ SkinPainter::SkinPainter(const Heads& heads, const HeadShape& head, const std::v
 face::Texture SkinPainter::Paint(std::size_t like) const {
   const face::Texture& source = show_.textures[static_cast<std::size_t>(show_.faces[like].surface.texture)];
   std::vector<Colour> at_edge;
-  for (const glm::vec2& place : at_edge_) at_edge.push_back(At(source, place));
+  for (const glm::vec2& uv : at_edge_) at_edge.push_back(At(source, uv));
   const Colour ground = GroundOf(at_edge);
   Painting painting(ground);
   for (const Triangle& t : heads_.triangles) {
     if (heads_.part[t[0]] != PartOf::kSkin) continue;
-    const auto from = Corners(t, [&](Index v) { return place_[v]; });
+    const auto from = Corners(t, [&](Index v) { return uv_[v]; });
     if (AreApart(from)) continue;
     painting.Copy(Corners(t, [&](Index v) { return heads_.uv[v]; }), from,
                   {shown_[t[0]], shown_[t[1]], shown_[t[2]]}, source);

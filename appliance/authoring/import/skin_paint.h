@@ -36,7 +36,7 @@ class SkinPainter {
   const Heads& heads_;
   const face::Cast& show_;
   // By skin vertex, on the show's texture, and how much of its paint counts there, 0..1.
-  std::vector<glm::vec2> place_;
+  std::vector<glm::vec2> uv_;
   std::vector<float> shown_;
   // Places where the paint fades.
   std::vector<glm::vec2> at_edge_;

@@ -24,7 +24,7 @@ bool IsMiddle(const Key& key) {
   return key.region == Region::kMouth && (key.a == 0 || key.a == kMouthRim - 1);
 }
 
-// Left and right meet here with one position and two places: u is 21 and -21 at the back.
+// Left and right meet here with one position and two uv: u is 21 and -21 at the back.
 bool IsSeam(const Key& key) {
   return key.region == Region::kGrid && (key.a == kColumns || key.b == kRows);
 }
@@ -51,7 +51,7 @@ void AddVertices(Cage& cage, bool moving) {
   }
 }
 
-// Both vertices of a seam name each other. On the left and on the right they have the same place in the half.
+// Both vertices of a seam name each other. On the left and on the right they have the same uv in the half.
 void LinkTwins(Cage& cage) {
   for (Index half = 0; half < cage.half.keys.size(); ++half) {
     if (!IsSeam(cage.half.keys[half])) continue;
@@ -101,7 +101,7 @@ std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::
 }
 
 // Mirrored in u alone, so that a seam has u = 21 on one side and -21 on the other.
-std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dvec2>& half) {
+std::vector<glm::dvec2> WholeUvs(const Cage& cage, const std::vector<glm::dvec2>& half) {
   std::vector<glm::dvec2> whole;
   whole.reserve(cage.vertices.size());
   for (const CageVertex& v : cage.vertices) whole.push_back(half[v.half] * glm::dvec2(v.side, 1));

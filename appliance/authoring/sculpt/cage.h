@@ -15,11 +15,11 @@ namespace kaori::sculpt {
 // Of what recipes say, in what a cast says.
 inline constexpr double kMetresPerCentimetre = 0.01;
 
-// A shape of one half, in centimetres: position, and place (u, v) on the unrolled surface (texture_map.h), of
+// A shape of one half, in centimetres: position, and u and v on the unrolled surface (texture_map.h), of
 // each vertex of HalfTopology.
 struct HalfShape {
   std::vector<glm::dvec3> position;
-  std::vector<glm::dvec2> place;
+  std::vector<glm::dvec2> uv_cm;
 };
 
 // Where a vertex of the whole comes from.
@@ -28,7 +28,7 @@ struct CageVertex {
   Index half = 0;
   // +1: the character's left (+X), and the middle of the face; -1: the mirror image.
   int side = 1;
-  // The other copy on the seam at the back or on the crown: same position, other place. Itself elsewhere.
+  // The other copy on the seam at the back or on the crown: same position, other uv. Itself elsewhere.
   Index twin = 0;
 };
 
@@ -55,8 +55,8 @@ Cage BuildCage();
 
 // The half's values on the whole cage, in the order of its vertices; x and u are mirrored on the right.
 std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::dvec3>& half);
-// The same for places: v stays, u is mirrored on the right.
-std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dvec2>& half);
+// The same for uv: v stays, u is mirrored on the right.
+std::vector<glm::dvec2> WholeUvs(const Cage& cage, const std::vector<glm::dvec2>& half);
 
 // For each vertex the vertices at the far ends of its quad edges, seams closed: lists hold welded vertices,
 // and a vertex that is not its own Weld() has an empty list. Diagonals are no edges.

@@ -4,7 +4,7 @@
 #include "appliance/authoring/sculpt/ear.h"
 #include "appliance/authoring/sculpt/eye_rings.h"
 #include "appliance/authoring/sculpt/mouth_rings.h"
-#include "appliance/authoring/sculpt/place_grid.h"
+#include "appliance/authoring/sculpt/uv_grid.h"
 
 namespace kaori::sculpt {
 namespace {
@@ -14,13 +14,13 @@ namespace {
 void PlaceGridVertices(const HalfTopology& half, const AimTable& aim, const Carved& recipe,
                        HalfShape& shape) {
   const std::vector<glm::dvec3> aimed = AimedGrid(aim, recipe.scale);
-  const std::vector<glm::dvec2> places = PlaceGrid();
+  const std::vector<glm::dvec2> uvs_cm = UvGrid();
   for (Index v = 0; v < half.keys.size(); ++v) {
     const Key& key = half.keys[v];
     if (key.region != Region::kGrid) continue;
     const auto at = static_cast<std::size_t>(key.b) * (kColumns + 1) + static_cast<std::size_t>(key.a);
     shape.position[v] = Project(recipe.bodies, aimed[at], ProjectionDirection({key.a, key.b}, aimed[at]));
-    shape.place[v] = places[at];
+    shape.uv_cm[v] = uvs_cm[at];
     if (key.a == 0 || key.a == kColumns || key.b == kRows) shape.position[v].x = 0;
   }
 }
@@ -38,7 +38,7 @@ void Touch(const HalfTopology& half, const std::vector<Landmark>& touches, HalfS
 HalfShape Carve(const HalfTopology& half, const AimTable& aim, const Carved& recipe) {
   HalfShape shape;
   shape.position.resize(half.keys.size());
-  shape.place.resize(half.keys.size());
+  shape.uv_cm.resize(half.keys.size());
   PlaceGridVertices(half, aim, recipe, shape);
   Touch(half, recipe.touches, shape);
   PlaceEyeRings(half, recipe.bodies, recipe.eye, shape);

@@ -20,7 +20,7 @@ namespace {
 constexpr int kSmoothSteps = 3;
 // More around the lips, whose corners are drawn far on short triangles.
 constexpr int kLipSmoothSteps = 6;
-// A share below this: the place lies too far outside the triangle. Edges of lips bow out of the chords
+// A share below this: the uv lies too far outside the triangle. Edges of lips bow out of the chords
 // between control points by less.
 constexpr double kOutside = -0.1;
 // Smaller ones cost a multiplication in each frame and cannot be seen.
@@ -68,7 +68,7 @@ class WeightTable {
 // Points of the left half in the file's order, then the border, and the triangulation of both. The right half
 // is its mirror image, and is never triangulated by itself.
 struct HalfNet {
-  std::vector<glm::dvec2> place_cm;
+  std::vector<glm::dvec2> uv_cm;
   std::vector<Column> column;
   std::vector<Key> vertex;  // What the point lies on, where that is the edge of a lid or a lip.
   std::vector<Corners3> triangles;
@@ -77,33 +77,33 @@ struct HalfNet {
 // Fills the points of `net` on the way, which fixes their order.
 HalfNet MakeHalfNet(const ExpressionFile& file, face::ControlNet& net) {
   HalfNet half;
-  const auto add = [&net](const std::string& name, glm::dvec2 place_cm) {
-    net.points.push_back({name, glm::vec2(UnitFromPlace(place_cm))});
+  const auto add = [&net](const std::string& name, glm::dvec2 uv_cm) {
+    net.points.push_back({name, glm::vec2(UnitFromUv(uv_cm))});
     return static_cast<Index>(net.points.size() - 1);
   };
   for (const AuthoredPoint& point : file.points) {
-    half.place_cm.push_back(point.place_cm);
+    half.uv_cm.push_back(point.uv_cm);
     half.vertex.push_back(point.vertex.value_or(Key{}));
     if (point.paired) {
-      const Index left = add(point.name + ".l", point.place_cm);
-      half.column.push_back({left, add(point.name + ".r", point.place_cm * glm::dvec2(-1, 1))});
+      const Index left = add(point.name + ".l", point.uv_cm);
+      half.column.push_back({left, add(point.name + ".r", point.uv_cm * glm::dvec2(-1, 1))});
     } else {
       // Exactly in the middle, though its vertex may lie beside it by a rounding.
-      const Index middle = add(point.name, {0, point.place_cm.y});
+      const Index middle = add(point.name, {0, point.uv_cm.y});
       half.column.push_back({middle, middle});
     }
   }
-  for (glm::dvec2 place_cm : file.border_cm) {
-    half.place_cm.push_back(place_cm);
+  for (glm::dvec2 uv_cm : file.border_cm) {
+    half.uv_cm.push_back(uv_cm);
     half.vertex.push_back({});
     half.column.push_back({});
   }
-  half.triangles = Delaunay(half.place_cm);
+  half.triangles = Delaunay(half.uv_cm);
   return half;
 }
 
-// The vertex whose place stands for `key`, and how much of its motion is felt there. What lies behind the
-// edges has places inside the holes, where no triangle means anything.
+// The vertex whose uv stands for `key`, and how much of its motion is felt there. What lies behind the
+// edges has uv inside the holes, where no triangle means anything.
 struct Lender {
   Key key;
   double share = 1;
@@ -136,17 +136,17 @@ bool AreOpposed(const Key& a, const Key& b) {
 struct Found {
   Corners3 corners{};
   glm::dvec3 shares{};
-  double inside = kOutside;  // The smallest share: how deep the place lies in the triangle.
+  double inside = kOutside;  // The smallest share: how deep the uv lies in the triangle.
 };
 
-// The triangle that holds the place. Between two points on its edge a lip bows into the slit, where triangles
-// reach over to the other lip: those are passed over for the one that the place misses by least.
-Found FindTriangle(const HalfNet& net, glm::dvec2 place_cm, const Key& key) {
+// The triangle that holds the uv. Between two points on its edge a lip bows into the slit, where triangles
+// reach over to the other lip: those are passed over for the one that the uv misses by least.
+Found FindTriangle(const HalfNet& net, glm::dvec2 uv_cm, const Key& key) {
   Found best;
   for (const Corners3& t : net.triangles) {
     const auto opposed = [&](std::size_t corner) { return AreOpposed(net.vertex[corner], key); };
     if (std::any_of(t.begin(), t.end(), opposed)) continue;
-    const auto shares = SharesIn(net.place_cm[t[0]], net.place_cm[t[1]], net.place_cm[t[2]], place_cm);
+    const auto shares = SharesIn(net.uv_cm[t[0]], net.uv_cm[t[1]], net.uv_cm[t[2]], uv_cm);
     if (!shares) continue;
     const double inside = std::min({shares->x, shares->y, shares->z});
     if (inside > best.inside) best = {t, CleanShares(*shares), inside};
@@ -155,10 +155,10 @@ Found FindTriangle(const HalfNet& net, glm::dvec2 place_cm, const Key& key) {
 }
 
 // Writes the shares of the triangle's corners into the columns of the vertex's own side. False where no
-// triangle holds the place.
-bool FillRow(const HalfNet& net, glm::dvec2 place_cm, const CageVertex& vertex, const Lender& lender,
+// triangle holds the uv.
+bool FillRow(const HalfNet& net, glm::dvec2 uv_cm, const CageVertex& vertex, const Lender& lender,
              double* row) {
-  const Found found = FindTriangle(net, place_cm, lender.key);
+  const Found found = FindTriangle(net, uv_cm, lender.key);
   if (found.shares == glm::dvec3(0)) return false;
   for (int i = 0; i < 3; ++i) {
     const Column& column = net.column[found.corners[static_cast<std::size_t>(i)]];
@@ -174,10 +174,10 @@ Result<WeightTable> LinearWeights(const Cage& cage, const HalfShape& reference, 
   WeightTable table(cage.vertices.size(), points);
   for (Index v = 0; v < cage.moving_count; ++v) {
     const Lender lender = LenderOf(cage.key(v));
-    const glm::dvec2 place_cm = reference.place[cage.half.At(lender.key.region, lender.key.a, lender.key.b)];
-    if (!FillRow(net, place_cm, cage.vertices[v], lender, table.row(v))) {
+    const glm::dvec2 uv_cm = reference.uv_cm[cage.half.At(lender.key.region, lender.key.a, lender.key.b)];
+    if (!FillRow(net, uv_cm, cage.vertices[v], lender, table.row(v))) {
       return FailInput(fmt::format("control points: no triangle of theirs holds the place ({:.2f}, {:.2f})",
-                                   place_cm.x, place_cm.y));
+                                   uv_cm.x, uv_cm.y));
     }
   }
   return table;

@@ -21,7 +21,7 @@ constexpr glm::dvec3 kShift_cm{0, -0.1, -0.2};  // From the middle of the rim.
 constexpr double kCapDepth_cm = 0.55;
 constexpr double kConchaDepth_cm = 0.65;
 constexpr glm::dvec2 kConcha{0.3, -0.15};  // On the disc.
-constexpr double kPlaceShrink = 0.12;      // Each ring shrinks by this in the unrolled surface.
+constexpr double kUvShrink = 0.12;         // Each ring shrinks by this in the unrolled surface.
 
 // How large a ring is, compared with the ear, and how far it stands off the head in front and behind.
 struct Ring {
@@ -100,17 +100,17 @@ Point Fill(const Side& side, int column, int row) {
   return across + along - corners;
 }
 
-// Positions and places are filled from the innermost ring alike, and only positions are sunk.
+// Positions and uv are filled from the innermost ring alike, and only positions are sunk.
 void PlaceCap(const HalfTopology& half, HalfShape& shape) {
   const auto position = [&](int c, int r) { return shape.position[half.At(Region::kEarCap, c, r)]; };
-  const auto place = [&](int c, int r) { return shape.place[half.At(Region::kEarCap, c, r)]; };
+  const auto uv_cm = [&](int c, int r) { return shape.uv_cm[half.At(Region::kEarCap, c, r)]; };
   for (int row = kEarBlock.row0 + 1; row < kEarBlock.row1; ++row) {
     for (int column = kEarBlock.column0 + 1; column < kEarBlock.column1; ++column) {
       const Index vertex = half.At(Region::kEarCap, column, row);
       // The cap is the bottom of the bowl.
       shape.position[vertex] =
           Fill<glm::dvec3>(position, column, row) - glm::dvec3(CapDepth(OnEarDisc({column, row})), 0, 0);
-      shape.place[vertex] = Fill<glm::dvec2>(place, column, row);
+      shape.uv_cm[vertex] = Fill<glm::dvec2>(uv_cm, column, row);
     }
   }
 }
@@ -129,10 +129,10 @@ void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const E
               HalfShape& shape) {
   // The mean of the rim.
   glm::dvec3 centre{};
-  glm::dvec2 centre_place{};
+  glm::dvec2 centre_uv_cm{};
   for (GridPoint p : half.ear_rim) {
     centre += shape.position[half.Grid(p.column, p.row)] / static_cast<double>(kEarRim);
-    centre_place += shape.place[half.Grid(p.column, p.row)] / static_cast<double>(kEarRim);
+    centre_uv_cm += shape.uv_cm[half.Grid(p.column, p.row)] / static_cast<double>(kEarRim);
   }
   for (int k = 1; k <= kEarRings; ++k) {
     for (int j = 0; j < kEarRim; ++j) {
@@ -140,10 +140,10 @@ void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const E
       const Index vertex = half.At(Region::kEar, j, k);
       const Ring& ring = kRings[static_cast<std::size_t>(k - 1)];
       shape.position[vertex] = RingPoint(bodies, ear, ring, OnEarDisc(rim), centre);
-      shape.place[vertex] =
+      shape.uv_cm[vertex] =
           // Rings are the rim, shrunk towards its middle: on the unrolled surface an ear is a
           // patch without folds.
-          glm::mix(shape.place[half.Grid(rim.column, rim.row)], centre_place, kPlaceShrink * k);
+          glm::mix(shape.uv_cm[half.Grid(rim.column, rim.row)], centre_uv_cm, kUvShrink * k);
     }
   }
   PlaceCap(half, shape);

@@ -12,7 +12,7 @@ namespace kaori::sculpt {
 // the rim: by position, a rim that is bent would turn cells over.
 glm::dvec2 OnEarDisc(GridPoint at);
 
-// Sets position and place of all ear rings and of the cap. The rim must lie on the skin already. Rings 1 to 5
+// Sets position and uv of all ear rings and of the cap. The rim must lie on the skin already. Rings 1 to 5
 // lead outwards from the rim and back into the bowl; the cap closes its bottom. `bodies` keep the upper rim
 // out of the skull.
 void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const EarRecipe& ear,

@@ -6,7 +6,7 @@
 
 namespace kaori::sculpt {
 
-// Sets the positions of all ear rings and of the cap; places stay. tube.path has kEarRings + 1 stations;
+// Sets the positions of all ear rings and of the cap; uv stay. tube.path has kEarRings + 1 stations;
 // the first lies in the head and only gives the direction, station k is ring k. The tube's cross-section
 // is an ellipse.
 void DrawOutEar(const HalfTopology& half, const Tube& tube, HalfShape& shape);

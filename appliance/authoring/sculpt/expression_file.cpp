@@ -23,7 +23,7 @@ constexpr double kMostMove_cm = 5;
 constexpr double kLeastMove_cm = 0.02;
 
 // None where the value is not a list of two numbers.
-std::optional<glm::dvec2> AsPlace(const toml::Value& value) {
+std::optional<glm::dvec2> AsUv(const toml::Value& value) {
   if (value.kind != toml::Value::Kind::kList || value.list.size() != 2) return std::nullopt;
   for (const toml::Value& item : value.list) {
     if (item.kind != toml::Value::Kind::kNumber) return std::nullopt;
@@ -32,8 +32,8 @@ std::optional<glm::dvec2> AsPlace(const toml::Value& value) {
 }
 
 // The middle counts as left.
-bool IsOnLeftHalf(glm::dvec2 place) {
-  return place.x >= 0 && place.x <= kPlaceMax_cm.x && place.y >= kPlaceMin_cm.y && place.y <= kPlaceMax_cm.y;
+bool IsOnLeftHalf(glm::dvec2 uv_cm) {
+  return uv_cm.x >= 0 && uv_cm.x <= kUvMax_cm.x && uv_cm.y >= kUvMin_cm.y && uv_cm.y <= kUvMax_cm.y;
 }
 
 // Reads the file's three parts in turn; later ones ask what earlier ones named. Faults go to the sections
@@ -54,25 +54,25 @@ class Reader {
   }
 
  private:
-  // A point is a place, or a vertex whose place is asked of the reference.
+  // A point is u and v, or a vertex whose uv is asked of the reference.
   void ReadPoints(toml::Section section) {
     for (const auto& [name, value] : section.table().table) {
       const std::optional<Key> vertex = AsVertex(value.text);
       // A text that is no vertex's name, and a list, have an empty text: AsVertex answers none for both.
-      const std::optional<glm::dvec2> place = vertex ? PlaceOf(*vertex) : AsPlace(value);
-      if (!place || !IsOnLeftHalf(*place)) {
+      const std::optional<glm::dvec2> uv_cm = vertex ? UvOf(*vertex) : AsUv(value);
+      if (!uv_cm || !IsOnLeftHalf(*uv_cm)) {
         section.Fault(
             name, "must be a position [u, v] on the left half of the face, in centimetres, or name a vertex");
         continue;
       }
-      file_.points.push_back({name, *place, place->x > kExpressionFileOnMiddle_cm, vertex});
+      file_.points.push_back({name, *uv_cm, uv_cm->x > kExpressionFileOnMiddle_cm, vertex});
     }
     if (file_.points.size() < 3) section.Fault("", "there must be three points at least");
   }
 
   // `vertex` comes from AsVertex, which knows names of vertices that are there and no others: At finds it.
-  std::optional<glm::dvec2> PlaceOf(const Key& vertex) const {
-    return reference_.place[half_.At(vertex.region, vertex.a, vertex.b)];
+  std::optional<glm::dvec2> UvOf(const Key& vertex) const {
+    return reference_.uv_cm[half_.At(vertex.region, vertex.a, vertex.b)];
   }
 
   // Stops at the first position that is none, since a list has one fault.
@@ -81,10 +81,10 @@ class Reader {
     if (border == nullptr || border->kind != toml::Value::Kind::kList)
       return file.Fault("border", "must be a list of positions [u, v]");
     for (const toml::Value& item : border->list) {
-      const std::optional<glm::dvec2> place = AsPlace(item);
-      if (!place || !IsOnLeftHalf(*place))
+      const std::optional<glm::dvec2> uv_cm = AsUv(item);
+      if (!uv_cm || !IsOnLeftHalf(*uv_cm))
         return file.Fault("border", "each must be a position [u, v] on the left half, in centimetres");
-      file_.border_cm.push_back(*place);
+      file_.border_cm.push_back(*uv_cm);
     }
   }
 

@@ -21,14 +21,14 @@
 
 namespace kaori::sculpt {
 
-// A control point as written: once for a pair, its place on the left half (u >= 0).
+// A control point as written: once for a pair, its uv on the left half (u >= 0).
 struct AuthoredPoint {
   // Without a side; the net adds ".l" and ".r".
   std::string name;
-  glm::dvec2 place_cm{};
+  glm::dvec2 uv_cm{};
   // Has a mirror image on the right: it does not lie in the middle.
   bool paired = false;
-  // The vertex that the file names it by, on the edge of a lid or a lip; none where it is written as a place.
+  // The vertex that the file names it by, on the edge of a lid or a lip; none where it is written as u and v.
   std::optional<Key> vertex{};
 };
 
@@ -62,9 +62,9 @@ struct ExpressionFile {
   std::vector<AuthoredExpression> expressions;
 };
 
-// `reference` gives the places of points that are named by a vertex. Errors: as ReadToml's where the
+// `reference` gives the uv of points that are named by a vertex. Errors: as ReadToml's where the
 // file cannot be read or is no TOML; else invalid_argument, with every fault by file, line, item and
-// reason: unknown keys and points, places off the left half, names that are given twice or build on a
+// reason: unknown keys and points, uv off the left half, names that are given twice or build on a
 // later expression, moves of more than 5 cm, and expressions that move nothing by 0.2 mm, which were
 // written in metres.
 Result<ExpressionFile> ReadExpressionFile(const std::filesystem::path& path, const HalfTopology& half,

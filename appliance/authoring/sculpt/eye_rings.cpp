@@ -68,7 +68,7 @@ void Smooth(Rings& rings) {
   }
 }
 
-// Rings 0 to 5, for positions and for places alike: the unrolled surface is made by the same steps.
+// Rings 0 to 5, for positions and for uv alike: the unrolled surface is made by the same steps.
 Rings Between(const RimRing& rim, const RimRing& lid) {
   Rings rings;
   for (std::size_t k = 0; k < rings.size(); ++k) {
@@ -104,7 +104,7 @@ glm::dvec3 BehindLid(const EyeRecipe& eye, glm::dvec2 lid, int k) {
 }
 
 // In the unrolled surface an open eye is a hole; what lies behind the lid shrinks into it.
-glm::dvec2 PlaceInHole(const EyeRecipe& eye, glm::dvec2 lid, int k) {
+glm::dvec2 UvInHole(const EyeRecipe& eye, glm::dvec2 lid, int k) {
   const glm::dvec2 middle(0.5 * (eye.inner_x + eye.outer_x), 0.5 * (eye.inner_y + eye.outer_y));
   return middle + (lid - middle) * (k == kLidRing + 1 ? 0.93 : 0.8);
 }
@@ -133,20 +133,20 @@ void PlaceEyeRings(const HalfTopology& half, const std::vector<Body>& bodies, co
                    HalfShape& shape) {
   const RimRing lid = LidRing(eye);
   RimRing rim;
-  RimRing rim_place;
+  RimRing rim_uv_cm;
   for (std::size_t j = 0; j < kEyeRim; ++j) {
     const Index vertex = half.At(Region::kEye, static_cast<int>(j), 0);
     rim[j] = glm::dvec2(shape.position[vertex]);
-    rim_place[j] = shape.place[vertex];
+    rim_uv_cm[j] = shape.uv_cm[vertex];
   }
   const Rings rings = Between(rim, lid);
-  const Rings places = Between(rim_place, lid);
+  const Rings uvs_cm = Between(rim_uv_cm, lid);
   for (int k = 1; k <= kEyeRings; ++k) {
     for (int j = 0; j < kEyeRim; ++j) {
       const auto at = static_cast<std::size_t>(j);
       const auto ring = static_cast<std::size_t>(std::min(k, kLidRing));
       const Index vertex = half.At(Region::kEye, j, k);
-      shape.place[vertex] = k <= kLidRing ? places[ring][at] : PlaceInHole(eye, lid[at], k);
+      shape.uv_cm[vertex] = k <= kLidRing ? uvs_cm[ring][at] : UvInHole(eye, lid[at], k);
       if (k < kLidRing) {
         shape.position[vertex] = SkinPoint(bodies, eye, rings[ring][at], j, k);
       } else if (k == kLidRing) {

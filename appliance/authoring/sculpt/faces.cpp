@@ -31,8 +31,8 @@ class Shaper {
   Result<ShapedFace> operator()(const Carved& recipe) const {
     const EyeRecipe& eye = recipe.eye;
     ShapedFace face{Carve(cage_.half, cast_.aim, recipe), {eye.centre, eye.radius, eye.thickness}};
-    // All faces share the reference's places: one parameter space.
-    face.shape.place = reference_.place;
+    // All faces share the reference's uv: one parameter space.
+    face.shape.uv_cm = reference_.uv_cm;
     return face;
   }
 
@@ -51,7 +51,7 @@ class Shaper {
   Result<ShapedFace> operator()(const Modelled& recipe) const {
     Result<ModelledHead> head = ReadModelledHead(cage_, reference_, recipe);
     if (!head) return tl::unexpected(head.error());
-    ShapedFace face{{{}, reference_.place}, head->eyes[0]};
+    ShapedFace face{{{}, reference_.uv_cm}, head->eyes[0]};
     for (const Index vertex : cage_.left) face.shape.position.push_back(head->position[vertex]);
     const Mouth own = MouthOf(*head);
     const Mouth first = MouthOf({WholePositions(cage_, reference_.position), {}});

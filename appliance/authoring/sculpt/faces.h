@@ -15,7 +15,7 @@ namespace kaori::sculpt {
 
 // A face as geometry alone, before it is mirrored and turned into metres.
 struct ShapedFace {
-  HalfShape shape;  // In centimetres; places are those of the reference face.
+  HalfShape shape;  // In centimetres; uv are those of the reference face.
   Ball eye;         // The left one.
   // Of a head whose sides differ: the whole of it, and `shape` is its left half. None: both sides are alike.
   std::optional<ModelledHead> whole{};

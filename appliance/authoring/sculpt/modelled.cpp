@@ -17,8 +17,8 @@ namespace kaori::sculpt {
 namespace {
 
 // Of the texture: less than vertices of the cage are apart, more than tools round and than a slightly changed
-// reference face moves its places.
-constexpr double kSamePlace = 0.0015;
+// reference face moves its uv.
+constexpr double kSameUv = 0.0015;
 constexpr std::size_t kFewestOfBall = 8;
 // Of its mean width, how far a ball's three widths may be apart.
 constexpr double kOutOfRound = 0.15;
@@ -34,13 +34,13 @@ glm::dvec3 Centimetres(const glm::vec3& p_m) {
   return glm::dvec3(p_m) / kMetresPerCentimetre;
 }
 
-// The vertex of the model that lies nearest to a place of the texture; none within kSamePlace.
-std::optional<Index> AtPlace(const model::Model& head, const glm::dvec2& place) {
-  // Every vertex is compared with every place: some ten million distances, which are a moment's work.
+// The vertex of the model that lies nearest to a point of the texture; none within kSameUv.
+std::optional<Index> AtTexture(const model::Model& head, const glm::dvec2& texture) {
+  // Every vertex is compared with every point: some ten million distances, which are a moment's work.
   std::optional<Index> nearest;
-  double least = kSamePlace;
+  double least = kSameUv;
   for (Index v = 0; v < head.uv.size(); ++v) {
-    const double apart = glm::distance(glm::dvec2(head.uv[v]), place);
+    const double apart = glm::distance(glm::dvec2(head.uv[v]), texture);
     if (apart >= least) continue;
     least = apart;
     nearest = v;
@@ -54,8 +54,8 @@ Result<std::vector<glm::dvec3>> SkinOf(const Cage& cage, const HalfShape& refere
                                        const model::Model& head) {
   std::vector<glm::dvec3> position;
   std::size_t missing = 0;
-  for (const glm::dvec2& place : WholePlaces(cage, reference.place)) {
-    const auto vertex = AtPlace(head, TextureFromPlace(place));
+  for (const glm::dvec2& uv_cm : WholeUvs(cage, reference.uv_cm)) {
+    const auto vertex = AtTexture(head, TextureFromUv(uv_cm));
     if (!vertex) ++missing;
     position.push_back(Centimetres(head.positions[vertex.value_or(0)]));
   }

@@ -26,7 +26,7 @@ struct ModelledHead {
 };
 
 // Reads recipe.mesh. Its vertices are found by their texture coordinates, which are those of the cage on the
-// reference face (TextureFromPlace); where a tool has cut the mesh along seams, copies are one vertex. A ball is what lies in
+// reference face (TextureFromUv); where a tool has cut the mesh along seams, copies are one vertex. A ball is what lies in
 // an eye's tile: its middle, and half of its mean width. Lids are laid onto the balls (FitLids), as thick as the recipe
 // says or as they are in the file, 0.8 to 3 mm; vertices on seams are closed.
 //

@@ -67,10 +67,10 @@ Station StationAt(const MouthRecipe& mouth, int j) {
   return at;
 }
 
-// A vertex's position in space and its place on the unrolled surface.
+// A vertex's position in space and its uv on the unrolled surface.
 struct Point {
   glm::dvec3 position;
-  glm::dvec2 place;
+  glm::dvec2 uv_cm;
 };
 
 // Straight along z, from 12 cm before the origin: the front of the face.
@@ -88,7 +88,7 @@ class Mouth {
     const double t = kTowardsBorder[static_cast<std::size_t>(k)];
     const glm::dvec2 border(at.border_x, at.border_y);
     Point point{OnSkin(bodies_, glm::mix(glm::dvec2(rim.position), border, t)),
-                glm::mix(rim.place, border, t)};
+                glm::mix(rim.uv_cm, border, t)};
     if (k == 2) point.position.z += 0.04 * at.taper;
     return point;
   }
@@ -144,14 +144,14 @@ void PlaceMouthRings(const HalfTopology& half, const std::vector<Body>& bodies, 
     // Ring 6 of this station, from which the bag hangs.
     glm::dvec3 contact{};
     for (int k = 1; k <= kMouthRings; ++k) {
-      Point point = k < kLipBorderRing     ? rings.Skin(at, k, {shape.position[rim], shape.place[rim]})
+      Point point = k < kLipBorderRing     ? rings.Skin(at, k, {shape.position[rim], shape.uv_cm[rim]})
                     : k <= kLipContactRing ? rings.Lip(at, k)
                                            : rings.Bag(at, k, contact);
       if (k == kLipContactRing) contact = point.position;
-      if (middle) point.position.x = point.place.x = 0;
+      if (middle) point.position.x = point.uv_cm.x = 0;
       const Index vertex = half.At(Region::kMouth, j, k);
       shape.position[vertex] = point.position;
-      shape.place[vertex] = point.place;
+      shape.uv_cm[vertex] = point.uv_cm;
     }
   }
 }

@@ -8,7 +8,7 @@
 
 namespace kaori::sculpt {
 
-// Sets position and place of all mouth rings. The rim must lie on the skin already. The lips overlap by
+// Sets position and uv of all mouth rings. The rim must lie on the skin already. The lips overlap by
 // a millimetre: the fine mesh pulls them apart by a little less, and without it a light line shows
 // between them. In the unrolled surface the mouth is a slit held open by 0.56 cm, so that nothing mixes
 // the two lips there.

@@ -1,4 +1,4 @@
-// What the painter of textures knows of each vertex of the cage besides its place.
+// What the painter of textures knows of each vertex of the cage besides its uv.
 #pragma once
 
 #include <vector>

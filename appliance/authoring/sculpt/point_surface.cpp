@@ -15,31 +15,31 @@ struct Spot {
   double inside = -1e9;  // The smallest share before cleaning: how deep the point lies in the triangle.
 };
 
-// Behind the edges of lips and lids places lie inside the holes, and overlap.
+// Behind the edges of lips and lids uv lie inside the holes, and overlap.
 bool IsSkin(const Key& key) {
   return !(key.region == Region::kEye && key.b > kLidRing) &&
          !(key.region == Region::kMouth && key.b > kLipContactRing);
 }
 
-// Keeps the triangle in which the place lies deepest.
-void Try(const HalfShape& reference, std::array<Index, 3> corner, glm::dvec2 place_cm, Spot& best) {
+// Keeps the triangle in which the uv lies deepest.
+void Try(const HalfShape& reference, std::array<Index, 3> corner, glm::dvec2 uv_cm, Spot& best) {
   const auto shares =
-      SharesIn(reference.place[corner[0]], reference.place[corner[1]], reference.place[corner[2]], place_cm);
+      SharesIn(reference.uv_cm[corner[0]], reference.uv_cm[corner[1]], reference.uv_cm[corner[2]], uv_cm);
   if (!shares) return;
   const double inside = std::min({shares->x, shares->y, shares->z});
   if (inside > best.inside) best = {corner, CleanShares(*shares), inside};
 }
 
-// The triangle that holds the place; at the edge of a slit, or off the surface, the one that misses it by
+// The triangle that holds the uv; at the edge of a slit, or off the surface, the one that misses it by
 // least. Every triangle is tried: once for each of some hundred points.
-Spot FindSpot(const HalfTopology& half, const HalfShape& reference, glm::dvec2 place_cm) {
+Spot FindSpot(const HalfTopology& half, const HalfShape& reference, glm::dvec2 uv_cm) {
   Spot best;
   for (const Quad& quad : half.quads) {
     const std::vector<Index> q = Corners(quad);
     const bool skin = std::all_of(q.begin(), q.end(), [&half](Index v) { return IsSkin(half.keys[v]); });
     if (!skin) continue;
-    Try(reference, {q[0], q[1], q[2]}, place_cm, best);
-    if (q.size() == 4) Try(reference, {q[0], q[2], q[3]}, place_cm, best);
+    Try(reference, {q[0], q[1], q[2]}, uv_cm, best);
+    if (q.size() == 4) Try(reference, {q[0], q[2], q[3]}, uv_cm, best);
   }
   return best;
 }
@@ -63,7 +63,7 @@ face::SparseRows PointsOnSurface(const Cage& cage, const HalfShape& reference,
   face::SparseRows rows;
   rows.row_start.push_back(0);
   for (const AuthoredPoint& point : points) {
-    const Spot spot = FindSpot(cage.half, reference, point.place_cm);
+    const Spot spot = FindSpot(cage.half, reference, point.uv_cm);
     Append(spot, cage.left, rows);
     if (point.paired) Append(spot, cage.right, rows);
   }

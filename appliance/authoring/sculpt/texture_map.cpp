@@ -10,7 +10,7 @@ namespace {
 // One corner of a polygon that stretches a coordinate: where it lies on the unrolled surface, and where in
 // the picture, 0 .. 1.
 struct Knot {
-  double place_cm;
+  double at_cm;
   double texture;
 };
 
@@ -28,23 +28,23 @@ double Follow(const std::array<Knot, N>& knots, double Knot::*from, double Knot:
   return knots[i].*to + t * (knots[i + 1].*to - knots[i].*to);
 }
 
-constexpr glm::dvec2 kExtent_cm{kPlaceMax_cm.x - kPlaceMin_cm.x, kPlaceMax_cm.y - kPlaceMin_cm.y};
+constexpr glm::dvec2 kExtent_cm{kUvMax_cm.x - kUvMin_cm.x, kUvMax_cm.y - kUvMin_cm.y};
 
 }  // namespace
 
-glm::dvec2 UnitFromPlace(glm::dvec2 place_cm) {
-  return (place_cm - kPlaceMin_cm) / kExtent_cm;
+glm::dvec2 UnitFromUv(glm::dvec2 uv_cm) {
+  return (uv_cm - kUvMin_cm) / kExtent_cm;
 }
 
-glm::dvec2 TextureFromPlace(glm::dvec2 place_cm) {
-  const double around = Follow(kAround, &Knot::place_cm, &Knot::texture, std::abs(place_cm.x));
-  return {0.5 + std::copysign(around, place_cm.x), Follow(kUp, &Knot::place_cm, &Knot::texture, place_cm.y)};
+glm::dvec2 TextureFromUv(glm::dvec2 uv_cm) {
+  const double around = Follow(kAround, &Knot::at_cm, &Knot::texture, std::abs(uv_cm.x));
+  return {0.5 + std::copysign(around, uv_cm.x), Follow(kUp, &Knot::at_cm, &Knot::texture, uv_cm.y)};
 }
 
-glm::dvec2 PlaceFromTexture(glm::dvec2 texture) {
+glm::dvec2 UvFromTexture(glm::dvec2 texture) {
   const double side = texture.x - 0.5;
-  const double around = Follow(kAround, &Knot::texture, &Knot::place_cm, std::abs(side));
-  return {std::copysign(around, side), Follow(kUp, &Knot::texture, &Knot::place_cm, texture.y)};
+  const double around = Follow(kAround, &Knot::texture, &Knot::at_cm, std::abs(side));
+  return {std::copysign(around, side), Follow(kUp, &Knot::texture, &Knot::at_cm, texture.y)};
 }
 
 }  // namespace kaori::sculpt

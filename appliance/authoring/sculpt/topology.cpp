@@ -64,9 +64,9 @@ float SmoothStep(double from, double to, double x) {
 
 // Lips, jaw and chin move with the mouth; cheeks and nose with the expression. On the grid it fades in from v
 // = -3.6 cm (the nose) down to -5.0, and out from |u| = 4.5 to 7.5.
-float MouthShare(const Key& key, glm::dvec2 place_cm) {
+float MouthShare(const Key& key, glm::dvec2 uv_cm) {
   if (key.region == Region::kMouth) return 1;
-  return SmoothStep(-3.6, -5.0, place_cm.y) * SmoothStep(7.5, 4.5, std::abs(place_cm.x));
+  return SmoothStep(-3.6, -5.0, uv_cm.y) * SmoothStep(7.5, 4.5, std::abs(uv_cm.x));
 }
 
 // Rows are rings 0 .. 7, columns run from the inner to the outer corner; upper and lower share both corners.
@@ -90,23 +90,23 @@ face::LidRig MakeLidRig(const Cage& cage, const std::vector<Index>& side) {
 
 }  // namespace
 
-// Everything here follows from the cage and the reference's places; no face's shape has a part in it but
+// Everything here follows from the cage and the reference's uv; no face's shape has a part in it but
 // in the diagonals.
 face::Topology MakeTopology(const Cage& cage, const HalfShape& reference) {
-  const std::vector<glm::dvec2> places = WholePlaces(cage, reference.place);
+  const std::vector<glm::dvec2> uvs_cm = WholeUvs(cage, reference.uv_cm);
   face::Topology topology;
   topology.vertex_count = static_cast<Index>(cage.vertices.size());
   topology.moving_count = cage.moving_count;
   for (Index v = 0; v < topology.vertex_count; ++v) {
-    topology.uv.emplace_back(UnitFromPlace(places[v]));
-    topology.texture.emplace_back(TextureFromPlace(places[v]));
+    topology.uv.emplace_back(UnitFromUv(uvs_cm[v]));
+    topology.texture.emplace_back(TextureFromUv(uvs_cm[v]));
     topology.twin.push_back(cage.vertices[v].twin);
-    topology.mouth_share.push_back(MouthShare(cage.key(v), places[v]));
+    topology.mouth_share.push_back(MouthShare(cage.key(v), uvs_cm[v]));
   }
   SplitQuads(cage, reference, topology.triangles);
   topology.wires = Wires(cage);
   topology.lids = {MakeLidRig(cage, cage.left), MakeLidRig(cage, cage.right)};
-  topology.fine = MakeFineMesh(cage, places);
+  topology.fine = MakeFineMesh(cage, uvs_cm);
   return topology;
 }
 

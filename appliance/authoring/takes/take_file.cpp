@@ -209,7 +209,7 @@ std::string Described(const Take& take) {
   if (const TakeLoop loop = LoopOf(take); take.loop)
     said += fmt::format("; a loop of {:.2f} s", loop.to_s - loop.from_s);
   if (take.layer != show::MotionLayer::kAdd)
-    said += fmt::format("; {} hands", show::kMotionLayerNames[static_cast<std::size_t>(take.layer)]);
+    said += fmt::format("; {} operator input", show::kMotionLayerNames[static_cast<std::size_t>(take.layer)]);
   if (!take.sound.empty()) said += "; with the sound " + take.sound;
   return said;
 }

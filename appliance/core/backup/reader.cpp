@@ -1,7 +1,5 @@
 #include "appliance/core/backup/reader.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,8 +8,8 @@
 #include <vector>
 
 #include "drivers/base/long_call.h"
+#include "drivers/base/read_file.h"
 #include "drivers/base/read_full.h"
-#include "drivers/base/unique_fd.h"
 
 namespace kaori::backup {
 namespace {
@@ -29,21 +27,22 @@ class FileInput final : public Input {
   std::string name_;
 };
 
+Result<std::unique_ptr<Input>> InputOfOpened(Result<RegularFile> opened, const std::string& name) {
+  if (opened) return std::make_unique<FileInput>(std::move(opened->fd), name);
+  if (IsNoFile(opened.error())) return FailInput("is no file", kNoBackup);
+  return tl::unexpected(opened.error());
+}
+
 }  // namespace
 
-// O_NONBLOCK: a stick may hold a pipe under this name.
 Result<std::unique_ptr<Input>> OpenInput(const std::filesystem::path& file) {
-  UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
-  if (!fd.valid()) return FailErrno("open " + file.string());
-  return InputOf(std::move(fd), file.string());
+  return InputOfOpened(OpenRegular(file, "open " + file.string(), Links::kRefuse), file.string());
 }
 
 Result<std::unique_ptr<Input>> InputOf(UniqueFd file, const std::string& name) {
-  struct stat status {};
-  if (::fstat(file.get(), &status) < 0) return FailErrno("look at " + name);
-  if (!S_ISREG(status.st_mode)) return FailInput("is no file", kNoBackup);
-  if (::lseek(file.get(), 0, SEEK_SET) < 0) return FailErrno("read " + name);
-  return std::make_unique<FileInput>(std::move(file), name);
+  auto opened = RequireRegular(std::move(file), "look at " + name);
+  if (opened && ::lseek(opened->fd.get(), 0, SEEK_SET) < 0) return FailErrno("read " + name);
+  return InputOfOpened(std::move(opened), name);
 }
 
 Result<Reader> Reader::Begin(std::unique_ptr<Input> input) {

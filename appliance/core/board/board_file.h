@@ -9,7 +9,8 @@
 
 namespace kaori::board {
 
-// Opens the board's file for reading and checks its head and size. Never waits. Errors:
+// Opens the board's file for reading and checks its head and size. Never waits. The descriptor is the caller's, and keeps
+// naming this file when another one is put at the path. Any thread. Errors:
 //   no_such_file_or_directory  there is no board
 //   bad_message                it was a board, and is spoilt: its head does not add up, or its size is wrong
 //   invalid_argument           it never was a board, or is one of another version or layout: the attempt says

@@ -1,4 +1,7 @@
 // What buttons call, by numbers that find pictures.
+//
+// kaori-input knows no show and reads no pack: a picture lies in a folder in memory under the number of its call, and
+// the number of each button stands here.
 #pragma once
 
 #include <array>

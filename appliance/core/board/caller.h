@@ -9,7 +9,8 @@ namespace kaori::board {
 // board.
 class Caller {
  public:
-  // Errors: as Board::AcquireWriter; a second writer of the same section is refused.
+  // Acquires the section of `which` for as long as the caller lives, as Board::AcquireWriter does. What the section holds
+  // is read once: the count goes on from there. Errors: as Board::AcquireWriter; a second writer of the same section is refused.
   static Result<Caller> Acquire(const Board& board, CallWriter which) {
     auto writer = board.AcquireWriter<Calls>(static_cast<int>(which));
     if (!writer) return tl::unexpected(writer.error());

@@ -64,7 +64,8 @@ struct Calls {
   std::array<Call, kKept> newest{};         // Call n, counted from 0, lies in newest[n % kKept].
 };
 
-// Adds a call.
+// Adds a call to the writer's own copy of the section, which is published afterwards; the oldest of kKept calls goes.
+// Calls are added in the order in which they were made. Never fails.
 inline void Append(Calls& calls, const Call& call) {
   calls.newest[calls.count % Calls::kKept] = call;
   ++calls.count;

@@ -19,7 +19,8 @@ inline constexpr std::uint8_t kA = 0x04, kC = 0x06, kH = 0x0B, kM = 0x10, kN = 0
 inline constexpr std::uint8_t kHome = 0x4A, kPageUp = 0x4B, kEnd = 0x4D;
 }  // namespace key
 
-// Whether the key is held. `usage` is below 256.
+// Whether the key is held in this value. `usage` is a number of HID page 7, and below 256. Pure; callers look at the
+// section's SourceState too.
 inline bool IsDown(const Keys& keys, std::size_t usage) {
   return ((keys.down[usage / 32] >> (usage % 32)) & 1U) != 0;
 }

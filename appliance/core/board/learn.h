@@ -9,15 +9,17 @@
 
 namespace kaori::board {
 
+// Where a lesson stands. Each phase lasts until a person, a control or the disk ends it; a new lesson begins at kAsking
+// from any of them.
 enum class LearnPhase : std::uint32_t {
-  kNever,
+  kNever,    // Nobody has taught since the stage started.
   kAsking,   // A control is to be moved.
   kFound,    // One was: shall it be kept?
   kUnfit,    // One was, and it springs back to its middle, where the level has no rest.
   kKeeping,  // The file is being written.
   kKept,     // It is written, and the stage starts again with it.
   kRefused,  // It could not be written; the log says why.
-  kEnded,
+  kEnded,    // By a person; what was kept before stays.
 };
 inline constexpr std::uint32_t kLearnPhaseCount = 8;
 
@@ -39,7 +41,7 @@ struct Learn {
   std::uint32_t inverted = 0;   // 1: its lower end is the level's upper one.
   std::uint32_t instead = 0;    // 1: it plays something else until now.
   std::uint32_t restless = 0;   // 1: this control does not rest, so that it cannot be the one that is meant.
-  CheckedItem moves_itself{};   //
+  CheckedItem moves_itself{};   // It; nothing while `restless` is 0.
   std::uint32_t ambiguous = 0;  // 1: two controls moved alike.
   // Of the lesson of a turn: counts on the board in that turn of the dial `found`, and from kKeeping on a number
   // that no lesson before had; 0: there is none to be kept.

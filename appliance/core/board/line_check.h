@@ -11,6 +11,7 @@
 
 namespace kaori::board {
 
+// What is looked at. `device` and `number` of a CheckedItem are as each says, and 0 where nothing is said.
 enum class CheckedKind : std::uint32_t {
   kAxis,  // Of a stick; `device` and `number` are a show::Device and a show::Control.
   kDial,  // Of the dial box or what plays in its place; `number` counts from 0, as in the kinds that follow.
@@ -36,6 +37,7 @@ enum class CheckedState : std::uint32_t {
 };
 inline constexpr std::uint32_t kCheckedStateCount = 6;
 
+// One control, device or screen of the list, and how it stands.
 struct CheckedItem {
   CheckedKind kind{};
   std::uint32_t device = 0;
@@ -49,6 +51,7 @@ struct CheckedItem {
   std::uint32_t low_first = 0;
 };
 
+// A check is begun and ended by a person (LineCheckCall). What the last one found stays until the next begins.
 enum class LineCheckPhase : std::uint32_t { kNever, kRunning, kEnded };
 
 //   writer   kaori-stage at each frame while a check runs, and once when it has ended

@@ -1,4 +1,7 @@
 // Lays the stage's own state into the board's `performance` section, and takes it up again after a restart.
+//
+// The board knows nothing of what is in it. A stage that was killed goes on from what its last frame left; one of
+// another build begins anew, with a jump, rather than believe bytes that mean something else.
 #pragma once
 
 #include <cstring>

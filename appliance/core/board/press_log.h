@@ -1,5 +1,9 @@
 // How a press gets into a section: its counter and its log. Both are written before the section is published,
 // so that a reader never sees one without the other.
+//
+// Counters and logs only ever grow, and wrap: a reader compares with what it saw at its last look, so that no press is
+// lost between two looks and none is played twice. All functions are for the section's one writer, on its own copy of
+// the value; they allocate nothing and never fail.
 #pragma once
 
 #include <array>

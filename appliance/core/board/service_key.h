@@ -8,9 +8,9 @@
 
 namespace kaori::board {
 
-// Whether the key is on, by the board at `path`; false where there is none. The board is opened for each
-// look, and not made: one that was made anew in the meantime has to be found. Blocks for the file system. Any
-// thread.
+// Whether the key is on now, by the board at `path`; false where there is none, and while the line is not heard
+// of. The board is opened for each look, and not made: one that was made anew in the meantime has to be found.
+// Blocks for the file system. Any thread.
 inline bool IsServiceKeyOnAt(const std::string& path) {
   const auto board = Board::Open(path);
   return board && IsServiceKeyOn(board->Read<Lines>());

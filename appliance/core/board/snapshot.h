@@ -7,8 +7,8 @@
 
 namespace kaori::board {
 
-// A plain copy of about 7 KB, trivially copyable; a field that nobody writes has its default value and
-// kAbsent.
+// A plain copy of about 7 KB, trivially copyable, so that it may be kept, compared and logged; a field that nobody writes
+// has its default value and kAbsent. It does not change when the board does.
 struct Snapshot {
   Stamped<Surface> surface;
   std::array<Stamped<Stick>, 2> sticks;  // [0] left (head), [1] right (gaze and brows).

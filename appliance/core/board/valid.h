@@ -1,4 +1,7 @@
 // What may stand on the board: every reader checks every field before it believes a section.
+//
+// Memory is shared with programs that may be broken, or spoilt by somebody; what passes here can be used as an index, a
+// duration or a share of something without a further check. That values fit each other, or the show, is not known here.
 #pragma once
 
 #include "appliance/core/board/sections.h"

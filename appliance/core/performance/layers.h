@@ -1,7 +1,7 @@
 // Layers of takes: which of them give way to whom, level by level.
 //
 // Of those who want a level the strongest has it: what it rests at, life, takes of the layer under, a remote control,
-// lips and voice, takes of the layer over, and hands. Takes of the layer add are added to whoever has it. Of two takes
+// lips and voice, takes of the layer over, and operator input. Takes of the layer add are added to whoever has it. Of two takes
 // of one layer the one that was called later has it. All this is for each level, and for each expression, by itself.
 #pragma once
 

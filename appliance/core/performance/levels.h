@@ -1,7 +1,7 @@
 // Who has each level, and how it passes from one owner to the next.
 //
-// A hand wins at once and nothing jumps: a new owner starts from the value of the moment plus its own
-// movement, and the difference eases out (Roles::handover_s). Two hands on one level: the later one has it.
+// Operator input wins at once and nothing jumps: a new owner starts from the value of the moment plus its own
+// movement, and the difference eases out (Roles::handover_s). Of two operators on one level the later one has it.
 #pragma once
 
 #include "appliance/core/board/snapshot.h"

@@ -24,7 +24,7 @@ struct Idle {
 inline constexpr float kLifeAsPeople = 0.6F;
 
 // Moves her life on by dt_s: glances, blinks (which begin in state.blink_s), breath, accents of the voice. It
-// gives way to hands: `motion` is what registered motions do in this frame, and state.head and state.gaze are
+// gives way to operator input: `motion` is what registered motions do in this frame, and state.head and state.gaze are
 // what the sticks do. With the dial below 0.02 she does nothing by herself, but looks where a cue lets her
 // look. Pure: chance is part of the state. Changes state.life and state.blink_s alone. Allocates nothing.
 Idle Live(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,

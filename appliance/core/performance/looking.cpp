@@ -67,7 +67,7 @@ class Looker {
   Looker(GazeLife& life, std::int32_t target, const LookInput& input)
       : life_(life), input_(input), named_(target >= 0), pose_(Pose()) {}
 
-  // What hands, cues and the head have changed since the last frame. Seen at its beginning.
+  // What operators, cues and the head have changed since the last frame. Seen at its beginning.
   void MindChanges(std::int32_t target, float dt_s) {
     if (life_.share <= 0) return WakeUp(target);
     if (life_.since_s < kApart_s) return;
@@ -112,7 +112,7 @@ class Looker {
   }
 
  private:
-  // The head as hands and motions hold it, with what it follows of the gaze.
+  // The head as operators and motions hold it, with what it follows of the gaze.
   HeadPose Pose() const {
     scene::Head head = input_.head;
     const glm::vec2 follows = HeadNow(life_) * SmoothStep(life_.head_share);

@@ -5,7 +5,7 @@
 
 namespace kaori::performance {
 
-// Hands, life and motions, in this order. Angles are added one by one, as small turns may
+// Operator input, life and motions, in this order. Angles are added one by one, as small turns may
 // be; nothing limits the sum.
 inline scene::Head Sum(const scene::Head& a, const scene::Head& b, const scene::Head& c) {
   return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad,

@@ -126,7 +126,7 @@ struct State {
   std::array<float, 2> lids_held{};
   std::array<Playing, kVoices> voices;
   std::uint32_t motions_called = 0;  // Wraps.
-  LayersNow layers;                  // How takes that lie under or over hands have the levels.
+  LayersNow layers;                  // How takes that lie under or over operator input have the levels.
   // What the face does by itself, and how its hair swings.
   Life life;
   std::array<Sway, scene::kHairPartCount> sway;  // By scene::HairPart.

@@ -30,7 +30,7 @@ enum class CueVerb : std::uint16_t {
   kGo,        // Plays the cue that stands by.
   kBack,      // Holds what runs; again, or where nothing runs: to the cue before.
   kStop,      // Ends motions and waits softly; what would have followed stands by.
-  kPause,     // Holds waits, fades and motions; again: they go on. Hands, lips and life are not held.
+  kPause,     // Holds waits, fades and motions; again: they go on. Operators, lips and life are not held.
   kPanic,     // As kStop, and the panic scene; again while it comes: at once.
   kBlackout,  // Black over all; again: as it was. No cue lifts it.
 };
@@ -119,6 +119,7 @@ struct TrackedState {
   bool operator==(const TrackedState&) const = default;
 };
 
+// All cues of a show in the order of their numbers, and what holds for each of them. Times are seconds.
 struct CueList {
   float go_guard_s = 0.3F;  // A second GO within it is a slip of the foot, from whichever control.
   float goto_s = 1.0F;      // A jump fades so long.
@@ -132,7 +133,8 @@ struct CueList {
 std::strong_ordering CompareCueNumbers(std::string_view a, std::string_view b);
 bool IsCueNumber(std::string_view text);
 
-// The cue at which the chain of `cue` ends: that after which GO is waited for.
+// The cue at which the chain of `cue` ends: that after which GO is waited for. `cue` is one of the list's, counted from
+// 0; the last cue ends every chain. Pure.
 std::size_t EndOfChain(const CueList& list, std::size_t cue);
 
 // Fills `tracked`; scenes, faces and the rest that cues name must exist. A show without cues gets its scenes

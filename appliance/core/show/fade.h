@@ -9,12 +9,15 @@ namespace kaori::show {
 
 inline constexpr float kLongestItemFade_s = 1800;  // Half an hour, as of cues.
 
+// How the share of what comes grows over the time of its fade, from 0 to 1; what goes has the rest. Numbers stand in
+// packs: new ones are added at the end.
 enum class FadeCurve : std::uint32_t {
   kS,          // Soft at both ends.
   kLinear,     // Steady.
   kSlowStart,  // As a square: slow at first.
   kSlowEnd,    // The same from its other end.
 };
+// As files write them, in the order of FadeCurve.
 inline constexpr std::array<std::string_view, 4> kFadeCurveNames{"s", "linear", "slow start", "slow end"};
 
 // A time below 0: as the level `fade` says at the call. 0 is a cut.

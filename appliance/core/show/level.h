@@ -51,6 +51,7 @@ inline constexpr std::size_t kMixCount = 8;
 inline constexpr std::size_t kNamedLevels = kLevelCount - kMixCount;
 inline constexpr std::size_t kStayingLevels = 8;
 
+// What is known of a level besides its value. Texts are those of the program, and live as long.
 struct LevelInfo {
   std::string_view name;  // As files and pages write it.
   float low, high, rest;  // As the performance has it: radians, metres, seconds, or a share.
@@ -68,10 +69,10 @@ inline constexpr std::array<LevelInfo, kLevelCount> kLevels{{
     {"expression", 0, 1, 1, 1, ""},      // How much of the called expression.
     {"strength", 0, 1.4F, 1, 1, ""},     // 1 as authored.
     {"fade", 0, 4, 0.6F, 1, "s"},        // Of faces, expressions and styles that are called by hand.
-    {"mouth_open", 0, 1, 0, 1, ""},      //
-    {"mouth_width", 0, 1, 0.5F, 1, ""},  //
+    {"mouth_open", 0, 1, 0, 1, ""},      // 0 shut .. 1 open.
+    {"mouth_width", 0, 1, 0.5F, 1, ""},  // 0 narrow .. 1 wide.
     {"life", 0, 1, 0.6F, 1, ""},         // What the box plays by itself.
-    {"light", 0, 1.2F, 1, 1, ""},        //
+    {"light", 0, 1.2F, 1, 1, ""},        // 0 black .. 1 as the scene is lit.
     {"head_yaw", -0.62F, 0.62F, 0, kDegree, "degrees"},
     {"head_pitch", -0.40F, 0.40F, 0, kDegree, "degrees"},
     {"head_roll", -0.35F, 0.35F, 0, kDegree, "degrees"},
@@ -110,7 +111,7 @@ constexpr bool Stays(Level level) {
   return static_cast<std::size_t>(level) < kStayingLevels;
 }
 
-// Between its ends.
+// The nearest value between its ends, both included. `value` is finite, and in the level's own unit.
 constexpr float Clamped(Level level, float value) {
   return std::clamp(value, InfoOf(level).low, InfoOf(level).high);
 }

@@ -46,10 +46,12 @@ struct Lobby {
   std::vector<OpenSpan> hours{};  // Empty: it is always open.
 };
 
-// Whether the lobby is open in this minute of the week, 0 .. kWeekMinutes - 1.
+// Whether the lobby is open in this minute of the week, 0 .. kWeekMinutes - 1 from Monday 00:00 in local time. Spans
+// that run over the end of a week count at its beginning as well. Pure.
 bool IsOpenAt(const Lobby& lobby, std::int32_t week_minute);
 
-// What is wrong with the show's lobby, where it has one, in the manner of CheckShow.
+// Appends what is wrong with the show's lobby, where it has one, a line each, in the manner of CheckShow. What passes
+// can be played without any further check. Pure.
 void CheckLobby(const Show& show, std::vector<std::string>& faults);
 
 }  // namespace kaori::show

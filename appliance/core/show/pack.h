@@ -13,6 +13,7 @@
 
 namespace kaori::show {
 
+// What is asked of a pack, besides that it is whole. A value; it may be used for any number of packs.
 struct LoadOptions {
   // Refuse every pack that none of these keys has signed, so all packs where the list is empty; without a
   // list a signature is checked where there is one, and any signer will do.
@@ -49,7 +50,8 @@ Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file);
 // same show. The same show and key give the same bytes. `signer` is borrowed for the call.
 std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer = nullptr);
 
-// Writes the file whole or not at all; what stood there is kept until then. Errors: those of WriteWholeFile.
+// Writes the file whole or not at all; what stood there is kept until then. Blocks for the disk. The show must be
+// sound; `signer` is borrowed for the call. Any thread, but one for each file. Errors: those of WriteWholeFile.
 Result<void> SavePack(const Show& show, const std::filesystem::path& file, const SecretKey* signer = nullptr);
 
 // Signs a pack that is there, whoever signed it before, and writes it to `into`, which may be the same file.

@@ -20,6 +20,7 @@ inline Call HeldCall(const pack::Call& stored) {
           static_cast<CallMode>(Narrow<std::uint8_t>(stored.kind() >> 8U))};
 }
 
+// All calls of a list or an array, in their order. Those that call nothing are kept, so that the place of each stays.
 template <class Calls>
 std::vector<pack::Call> StoredCalls(const Calls& calls) {
   std::vector<pack::Call> stored;

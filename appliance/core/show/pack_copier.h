@@ -44,6 +44,7 @@ class Copier {
     return held;
   }
 
+  // An array of plain numbers. Whether they are finite and in range is for CheckShow to find.
   template <class T>
   std::vector<T> Numbers(const flatbuffers::Vector<T>* stored) {
     if (stored == nullptr || !Reserve(stored->size() * sizeof(T))) return {};
@@ -62,7 +63,8 @@ class Copier {
     return stored == nullptr || !Reserve(stored->size()) ? std::string() : stored->str();
   }
 
-  // One value for each table of a list, as `read` makes it.
+  // One value for each table of a list, as `read(copier, table)` makes it. Only the offsets count here: `read` takes what
+  // the table holds off the same budget, also where several offsets lead to one table.
   template <class To, class Stored, class Read>
   std::vector<To> Tables(const flatbuffers::Vector<flatbuffers::Offset<Stored>>* stored, Read read) {
     std::vector<To> all;
@@ -80,9 +82,9 @@ class Copier {
     return !overdrawn_;
   }
 
-  std::size_t left_;
-  std::shared_ptr<const void> keeper_;
-  bool overdrawn_ = false;
+  std::size_t left_;                    // Bytes that may still be copied, or lent.
+  std::shared_ptr<const void> keeper_;  // Null: textures are copied as well.
+  bool overdrawn_ = false;              // Never false again.
 };
 
 }  // namespace kaori::show

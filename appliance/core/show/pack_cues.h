@@ -5,7 +5,8 @@
 
 namespace kaori::show {
 
-// Cues that Track made of the scenes are left out: whoever reads the pack makes them again.
+// The list as a table in `to`, which owns it. Cues that Track made of the scenes are left out: whoever reads the pack
+// makes them again, so that a pack has one truth of each cue. Never fails.
 flatbuffers::Offset<pack::CueList> WriteCueList(flatbuffers::FlatBufferBuilder& to, const CueList& list);
 
 // A list that is absent reads as one without cues. What does not fit reads as what CheckShow refuses. Does

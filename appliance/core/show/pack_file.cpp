@@ -1,6 +1,4 @@
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <memory>
@@ -14,7 +12,8 @@
 #include "appliance/core/show/pack_content.h"
 #include "appliance/core/show/pack_keys.h"
 #include "drivers/base/folder.h"
-#include "drivers/base/unique_fd.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/read_full.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::show {
@@ -53,48 +52,22 @@ class Pages {
   std::span<std::uint8_t> bytes_;
 };
 
-// A regular file that is not empty, and how long it was when it was opened.
-struct OpenFile {
-  UniqueFd fd;
-  std::uint64_t bytes = 0;
-};
-
 // What stands in a header is said of the file: the attempt of such an error is the end of a sentence.
 tl::unexpected<Error> Refuse(const std::string& name, const Error& error) {
   return FailAs(error, name + " " + error.attempt);
 }
 
-// O_NONBLOCK: opening a pipe must not wait for its writer. The kind of file is asked of the descriptor, so
-// that nothing changes between look and use.
-Result<OpenFile> Open(const std::string& name) {
-  OpenFile file{.fd = UniqueFd(::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))};
-  if (!file.fd.valid()) return FailErrno("open the show " + name);
-  struct stat status {};
-  if (::fstat(file.fd.get(), &status) < 0) return FailErrno("look at the show " + name);
-  if (S_ISDIR(status.st_mode)) return Fail(std::errc::is_a_directory, "open the show " + name);
-  if (!S_ISREG(status.st_mode)) return FailInput(name + " is no file");
-  if (status.st_size == 0) return FailInput("the show " + name + " is empty");
-  file.bytes = static_cast<std::uint64_t>(status.st_size);
+// A regular file that is not empty.
+Result<RegularFile> Open(const std::string& name) {
+  auto file = OpenRegular(name, "open the show " + name);
+  if (file && file->bytes == 0) return FailInput("the show " + name + " is empty");
   return file;
 }
 
-// Fills `into`; stops where the file ends. Returns how much was read.
-Result<std::size_t> ReadUpTo(int fd, std::span<std::uint8_t> into, const std::string& name) {
-  std::size_t done = 0;
-  while (done < into.size()) {
-    const ssize_t got = ::read(fd, into.data() + done, into.size() - done);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return FailErrno("read the show " + name);
-    if (got == 0) break;
-    done += static_cast<std::size_t>(got);
-  }
-  return done;
-}
-
 // Reads the header from the beginning of the file; afterwards the descriptor stands at the content.
-Result<PackSeal> ReadSeal(const OpenFile& file, const std::string& name) {
+Result<PackSeal> ReadSeal(const RegularFile& file, const std::string& name) {
   PackHeader header{};
-  const auto got = ReadUpTo(file.fd.get(), header, name);
+  const auto got = ReadFull(file.fd.get(), header, "the show " + name);
   if (!got) return tl::unexpected(got.error());
   auto seal = ReadHeader(std::span(header).first(*got), file.bytes);
   if (!seal) return Refuse(name, seal.error());
@@ -113,14 +86,14 @@ Result<void> CheckSigner(const std::string& name, const PackSeal& seal, const Lo
 
 // Each piece is summed up while it is in the cache. The length is the header's, so that a file that grows
 // meanwhile is read no further than was agreed.
-Result<Pages> ReadContent(const OpenFile& file, const PackSeal& seal, const std::string& name) {
+Result<Pages> ReadContent(const RegularFile& file, const PackSeal& seal, const std::string& name) {
   auto pages = Pages::Allocate(std::max<std::size_t>(seal.content_bytes, 1), name);
   if (!pages) return pages;
   Checksummer sum;
   for (std::size_t at = 0; at < seal.content_bytes;) {
     const auto piece =
         pages->bytes().subspan(at, std::min<std::size_t>(kPiece_bytes, seal.content_bytes - at));
-    const auto got = ReadUpTo(file.fd.get(), piece, name);
+    const auto got = ReadFull(file.fd.get(), piece, "the show " + name);
     if (!got) return tl::unexpected(got.error());
     if (*got < piece.size())
       return FailInput(name + " is no whole show pack: it became shorter while it was read");

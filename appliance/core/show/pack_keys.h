@@ -31,7 +31,8 @@ struct ShowWithKeys {
   std::vector<KeyPicture> keys;
 };
 
-// As LoadPack, with the pictures; blocks for the file, which is read once for both. Any thread. Errors: as LoadPack; also invalid_argument (more than the bounds above).
+// As LoadPack, with the pictures, which are copied out of the pack; blocks for the file, which is read once for both.
+// Any thread. Errors: as LoadPack; also invalid_argument (more than the bounds above).
 Result<ShowWithKeys> LoadPackWithKeys(const std::filesystem::path& file, const LoadOptions& options = {});
 
 // As SavePack, with the pictures. Programs of before play the show and pass them over.

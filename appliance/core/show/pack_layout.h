@@ -21,19 +21,23 @@ constexpr void SameBytes() {
   static_assert(sizeof(Stored) == sizeof(Held) && alignof(Stored) == alignof(Held));
 }
 
-// The same bytes under the other name; borrows.
+// The same bytes under the other name, for a builder that copies them. Borrowed: valid as long as `held` lives and
+// does not grow; of an empty vector it may be null.
 template <class Stored, class Held>
 const Stored* AsStored(const std::vector<Held>& held) {
   SameBytes<Stored, Held>();
   return reinterpret_cast<const Stored*>(held.data());
 }
 
+// The same of one value; valid as long as that.
 template <class Stored, class Held>
 const Stored& AsStored(const Held& held) {
   SameBytes<Stored, Held>();
   return reinterpret_cast<const Stored&>(held);
 }
 
+// The way back: a value of the content as the show has it. Valid as long as the content, so that whoever keeps it
+// copies it. Numbers may be anything: the show is checked as a whole afterwards.
 template <class Stored, class Held>
 const Held& AsHeld(const Stored& stored) {
   SameBytes<Stored, Held>();

@@ -6,7 +6,8 @@
 
 namespace kaori::show {
 
-// A null offset where the show has no lobby: the table is then absent.
+// The lobby as a table in `to`, which owns it. A null offset where the show has none: the table is then absent. Never
+// fails.
 flatbuffers::Offset<pack::Lobby> WriteLobby(flatbuffers::FlatBufferBuilder& to,
                                             const std::optional<Lobby>& lobby);
 

@@ -9,7 +9,7 @@
 //           and of what follows; then its frames
 //   frame   one byte: bit 0: the state that it was given stands behind it; bit 1: what was seen and the events are not among
 //           its words, since performance::ReadEvents makes them of the board and of what the frame before had seen; the
-//           change of the frame's words (frame_words.h) since the frame before, of which the first counts from 0; the
+//           change of the frame's words (frame_encoding.h) since the frame before, of which the first counts from 0; the
 //           state's words where they stand there, as a change from 0; the sum of what was shown (u16, output_sum.h)
 //
 // A chunk begins with the whole state, so that a log plays from any of them, and one that is spoilt costs 30
@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "appliance/core/showlog/change.h"
-#include "appliance/core/showlog/frame_words.h"
+#include "appliance/core/showlog/frame_encoding.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::showlog {

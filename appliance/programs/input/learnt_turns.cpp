@@ -44,7 +44,7 @@ int UsualCounts(int counts) {
   return 100 * off(nearest) <= kPercentOff * nearest ? nearest : counts;
 }
 
-// A file that a person has edited is read like one of ours. Whatever is wrong in it, hands play: the counts of the settings and
+// A file that a person has edited is read like one of ours. Whatever is wrong in it, operators can play: the counts of the settings and
 // of the surface's file count then, as before anything was learnt.
 LearntTurns::LearntTurns(std::filesystem::path file) : file_(std::move(file)) {
   if (file_.empty() || !std::filesystem::exists(file_)) return;

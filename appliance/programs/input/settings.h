@@ -63,7 +63,7 @@ struct BoxSettings {
 // Reads the sections above from a box's settings (box.toml); other sections are other programs' business. A
 // sound file is kept as `last_good`, whole or not at all; of a faulty one nothing is believed, and the last
 // good one counts, or else the defaults. A file that is missing stands for the defaults. Blocks for the disk.
-// Nothing of it fails: hands play a box with bad settings.
+// Nothing of it fails: a box with bad settings can be played.
 BoxSettings ReadBoxSettings(const std::string& file, const std::string& last_good);
 
 }  // namespace kaori::input

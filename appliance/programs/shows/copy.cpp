@@ -107,6 +107,9 @@ Result<void> KeepCopyOf(const std::filesystem::path& root_pack, const std::files
   if (!root) return tl::unexpected(root.error());
   const auto there = ReadBeginning(shows / store::kCopyName, show::kPackHeader_bytes);
   const auto kept = KeepCopy(*folder, **root, AsBytes(there.value_or("")), may_work);
+  // What a header is found to be is said of the file: the attempt of such an error is the end of a sentence.
+  if (!kept && kept.error().kind == ErrorKind::kInput)
+    return FailAs(kept.error(), root_pack.string() + " " + kept.error().attempt);
   if (!kept) return tl::unexpected(kept.error());
   if (*kept == Copied::kMade) Log("a copy of the box's own show is kept");
   if (*kept == Copied::kGaveWay)

@@ -26,7 +26,7 @@ enum class Copied : std::uint8_t {
 Result<Copied> KeepCopy(Folder& folder, Source& root, std::span<const std::uint8_t> there,
                         const std::function<bool()>& may_work = {});
 
-// The same of files; what was done is said in the log. Errors: also those of OpenSource.
+// The same of files; what was done is said in the log. Errors, which name the pack: also those of OpenSource.
 Result<void> KeepCopyOf(const std::filesystem::path& root_pack, const std::filesystem::path& shows,
                         const std::function<bool()>& may_work);
 

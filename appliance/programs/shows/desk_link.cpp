@@ -32,7 +32,7 @@ void DeskLink::Accept() {
   if (!peer) return;
   const auto user = PeerUser(peer->get());
   if (!user || *user != user_)
-    return LogWarning("a program that is not the desk wanted to speak for it, and was hung up on");
+    return LogWarning("a program that is not kaori-desk connected to its socket; the connection was closed");
   HangUp();
   desk_ = std::move(*peer);
 }
@@ -57,7 +57,7 @@ std::optional<Request> DeskLink::Hear() {
   const bool wants_file = request && request->kind == Request::Kind::kRestore;
   if (wants_file) request->file = std::move(packet->descriptor);
   if (!request || (wants_file && !request->file.valid())) {
-    LogWarning("the desk asked for something that it cannot ask for, and was hung up on");
+    LogWarning("kaori-desk sent a request that it may not send; the connection was closed");
     HangUp();
     return std::nullopt;
   }

@@ -1,8 +1,5 @@
 #include "appliance/programs/shows/installation.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -11,14 +8,12 @@
 #include <fmt/ranges.h>
 
 #include "drivers/base/long_call.h"
+#include "drivers/base/read_file.h"
 #include "drivers/base/read_full.h"
-#include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
 namespace {
-
-// The name is no id and no choice, so that no reader of the folder ever takes it for one.
 
 // Read from front to back, once: what the header said and what is copied come from one open file, so that a
 // name that is given to another file meanwhile changes nothing.
@@ -49,15 +44,11 @@ std::string InMegabytes(std::uint64_t bytes) {
 
 }  // namespace
 
-// O_NONBLOCK: a stick may hold a pipe under a show's name.
 Result<std::unique_ptr<Source>> OpenSource(const std::filesystem::path& file) {
-  UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
-  if (!fd.valid()) return FailErrno("open " + file.string());
-  struct stat status {};
-  if (::fstat(fd.get(), &status) < 0) return FailErrno("look at " + file.string());
-  if (!S_ISREG(status.st_mode)) return FailInput(file.string() + " is no file", show::kNoPack);
-  return std::make_unique<FileSource>(std::move(fd), static_cast<std::uint64_t>(status.st_size),
-                                      file.string());
+  auto opened = OpenRegular(file, "open " + file.string(), Links::kRefuse);
+  if (opened) return std::make_unique<FileSource>(std::move(opened->fd), opened->bytes, file.string());
+  if (IsNoFile(opened.error())) return FailInput(file.string() + " is no file", show::kNoPack);
+  return tl::unexpected(opened.error());
 }
 
 // A pack's own causes first. What else is wrong with the input is damage; what the system cannot read is a

@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kMostHeard_bytes = 1 << 16;
 constexpr int kAsk_ms = 100;
 
-// A child with its standard error in our hands.
+// A child process whose standard error is read here.
 struct Child {
   pid_t pid = -1;
   UniqueFd says;
@@ -43,7 +43,7 @@ class LentIds {
   }
   ~LentIds() {
     if (is_other_ && (::setresuid(user_, kSame, kSame) < 0 || ::setresgid(group_, kSame, kSame) < 0))
-      LogError("this program goes on under the user of the trial");
+      LogError("cannot take back this program's own user id: it keeps that of the trial's user");
   }
   LentIds(const LentIds&) = delete;
   LentIds& operator=(const LentIds&) = delete;

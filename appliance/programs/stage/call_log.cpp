@@ -19,7 +19,7 @@ void TellOfTheSensor(const performance::State& before, const performance::State&
         "takes it for stuck until it says the contrary",
         show.lobby->stuck_s);
   else
-    Log("the presence sensor is believed again: nobody is there");
+    Log("the presence sensor says that nobody is there: the lobby follows it again");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "appliance/core/board/mouth.h"
 #include "appliance/core/performance/mouth.h"
 
 namespace kaori::stage {
@@ -17,9 +18,9 @@ void MouthClock::Mean::Add(Duration age) {
   ++count;
 }
 
-// Lips without paint move no mouth and have no age; a silent voice has one, since it shuts the mouth.
+// Lips that cannot be used move no mouth and have no age; a silent voice has one, since it shuts the mouth.
 void MouthClock::Present(std::uint64_t frame, const board::Snapshot& board, const performance::State& state) {
-  const bool seen = board.lips.source == board::SourceState::kLive && board.lips.value.quality > 0;
+  const bool seen = board.lips.source == board::SourceState::kLive && board::IsUsable(board.lips.value);
   frame_ = frame;
   lips_at_ = seen ? board.lips.at : Time{};
   voice_at_ = board.voice.source == board::SourceState::kLive ? board.voice.at : Time{};

@@ -1,13 +1,12 @@
 #include "appliance/programs/update/installation.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "drivers/base/long_call.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori::update {
 namespace {
@@ -40,10 +39,10 @@ class FileSource final : public Source {
 }  // namespace
 
 Result<std::unique_ptr<Source>> SourceOf(UniqueFd file) {
-  struct stat status {};
-  if (::fstat(file.get(), &status) < 0) return FailErrno("look at the update");
-  if (!S_ISREG(status.st_mode)) return FailInput("is no file", std::errc::executable_format_error);
-  return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
+  auto opened = RequireRegular(std::move(file), "look at the update");
+  if (opened) return std::make_unique<FileSource>(std::move(opened->fd), opened->bytes);
+  if (IsNoFile(opened.error())) return FailInput("the update is no file", std::errc::executable_format_error);
+  return tl::unexpected(opened.error());
 }
 
 // Whether it is trusted comes first: of a foreign file nothing else is worth saying. The same version again is

@@ -30,7 +30,8 @@ class Source {
   virtual Result<void> Read(std::uint64_t at, std::span<std::uint8_t> into) = 0;
 };
 
-// Of a file that was opened to be read. Errors: those of fstat(2); invalid_argument for what is no regular file.
+// Of a file that was opened to be read. Errors: those of fstat(2); executable_format_error (kInput) for what is no
+// regular file.
 Result<std::unique_ptr<Source>> SourceOf(UniqueFd file);
 
 // The system that runs.

@@ -2,7 +2,6 @@
 // the new system does well, and keeps it or gives it up.
 //
 // It alone may write the slots and loader.conf. It mounts nothing: an update comes as an open file over its socket.
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -223,22 +222,26 @@ int TryOtherSystem(const Settings& settings, const kaori::update::Running& runni
   return 0;
 }
 
-// For a laptop's test, and for whoever has the disk in another computer.
+// For a laptop's test, and for whoever has the disk in another computer. What is no update is said before the disk is asked for.
 int Install(const Settings& settings, const kaori::update::Running& running) {
+  auto keys = KeysOf(settings);
+  auto file = kaori::OpenRegular(settings.install, "open " + settings.install);
+  auto source = std::move(file).and_then(
+      [](kaori::RegularFile opened) { return kaori::update::SourceOf(std::move(opened.fd)); });
+  if (!source) return kaori::ExitWithError(source.error());
+  if (auto manifest = ReadManifest(**source); !manifest)
+    return kaori::ExitWithError(
+        kaori::FailAs(manifest.error(), settings.install + " " + manifest.error().attempt).value());
   const auto notes = kaori::update::OpenNotes(settings.notes);
   const auto disk = OpenDisk(settings, running.slot);
   if (!disk) return kaori::ExitWithError(disk.error());
-  kaori::UniqueFd file(::open(settings.install.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!file.valid()) return kaori::ExitWithError(kaori::FailErrno("open " + settings.install).value());
-  auto source = kaori::update::SourceOf(std::move(file));
-  if (!source) return kaori::ExitWithError(source.error());
   kaori::update::Installation installation(
-      std::move(*source), KeysOf(settings), running,
+      std::move(*source), std::move(keys), running,
       {*disk->root, *disk->verity, *disk->boot, disk->kernel_at, disk->kernel_bytes}, *notes);
   while (!installation.ended()) installation.Step();
   const auto& [message, version, detail, done] = installation.progress();
   const bool well = message == Message::kWaits;
-  std::fprintf(well ? stdout : stderr, "%s\n%s\n",
+  std::fprintf(well ? stdout : stderr, "%s: %s\n%s\n", settings.install.c_str(),
                Say(message, kaori::update::Language::kEnglish, version, detail).c_str(),
                Say(message, kaori::update::Language::kJapanese, version).c_str());
   return well ? 0 : 1;

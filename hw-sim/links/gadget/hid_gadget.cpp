@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
 #include "hw-sim/devices/usb_hid.h"
 
@@ -102,11 +102,13 @@ void HidGadget::Unbind() {
 
 // "237:0": the second number counts the files.
 Result<std::string> HidGadget::DeviceFile() const {
-  std::ifstream file(path_ + std::string(kFunction) + "/dev");
-  std::string major, minor;
-  if (!std::getline(file, major, ':') || !std::getline(file, minor))
-    return FailErrno("read " + path_ + "/functions/hid.0/dev");
-  return room_.devices + "/hidg" + minor;
+  const std::string path = path_ + std::string(kFunction) + "/dev";
+  const auto numbers = ReadFile(path);
+  if (!numbers) return tl::unexpected(numbers.error());
+  const auto colon = numbers->find(':'), end = numbers->find('\n');
+  if (colon == numbers->npos || end == numbers->npos || end <= colon + 1)
+    return FailInput(path + ": expected two numbers, as 237:0");
+  return room_.devices + "/hidg" + numbers->substr(colon + 1, end - colon - 1);
 }
 
 }  // namespace kaori::sim

@@ -30,8 +30,8 @@ bool IsPinhole(const Atlas& atlas, int x, int y) {
   return !atlas.at(x, y).covered && ((covered(-1, 0) && covered(1, 0)) || (covered(0, -1) && covered(0, 1)));
 }
 
-glm::vec3 SrgbAt(const face::Texture& t, glm::vec2 place_cm) {
-  const glm::vec2 at = TexelFromPlace(place_cm, t.width_px);
+glm::vec3 SrgbAt(const face::Texture& t, glm::vec2 uv_cm) {
+  const glm::vec2 at = TexelFromUv(uv_cm, t.width_px);
   const auto i = 4 * (static_cast<std::size_t>(std::lround(at.y)) * static_cast<std::size_t>(t.width_px) +
                       static_cast<std::size_t>(std::lround(at.x)));
   return {t.rgba[i], t.rgba[i + 1], t.rgba[i + 2]};
@@ -60,14 +60,14 @@ TEST(AppearanceAtlas, LeavesOnlyTheEyesAndTheCrownOpen) {
   const auto covered =
       std::count_if(atlas.texels.begin(), atlas.texels.end(), [](const Texel& t) { return t.covered; });
   EXPECT_GT(static_cast<double>(covered) / (kSize_px * kSize_px), 0.93);
-  const glm::vec2 eye = TexelFromPlace({3.3F, 0.2F}, kSize_px);
+  const glm::vec2 eye = TexelFromUv({3.3F, 0.2F}, kSize_px);
   EXPECT_FALSE(atlas.at(static_cast<int>(eye.x), static_cast<int>(eye.y)).covered);
 }
 
 TEST(AppearanceAtlas, KnowsTheLipsFromTheSkin) {
   const Atlas& atlas = SmallAtlas();
-  const auto ring = [&](glm::vec2 place_cm) {
-    const glm::vec2 at = TexelFromPlace(place_cm, kSize_px);
+  const auto ring = [&](glm::vec2 uv_cm) {
+    const glm::vec2 at = TexelFromUv(uv_cm, kSize_px);
     return atlas.at(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y))).mouth_ring;
   };
   EXPECT_GT(ring({0, -6.4F}), 3);
@@ -96,12 +96,12 @@ TEST(AppearanceCanvas, DrawsAStrokeWhereItLiesAndNowhereElse) {
 }
 
 // How light even skin of 1 is at a place after one crease across the middle of the face.
-float LightUnderCrease(glm::vec2 place_cm, float half_width_cm) {
+float LightUnderCrease(glm::vec2 uv_cm, float half_width_cm) {
   SkinLook look;
   look.lines = {
       1, {{.path_cm = {glm::vec2(0, 4), {2, 4}, {4, 4}}, .half_width_cm = half_width_cm, .strength = 0.5F}}};
   Texel texel;
-  texel.place_cm = place_cm;
+  texel.uv_cm = uv_cm;
   Paint paint{{1, 1, 1}, 0};
   PaintLines(texel, look, paint);
   return paint.colour.g;
@@ -130,9 +130,9 @@ glm::vec2 MiddleOfMoustache(const MoustacheLook& look) {
   glm::vec2 sum{};
   float weight = 0;
   for (std::size_t i = 0; i < SmallAtlas().texels.size(); ++i) {
-    const glm::vec2 place_cm = SmallAtlas().texels[i].place_cm;
-    if (place_cm.x <= 0) continue;
-    sum += canvas.at(i).colour.r * place_cm;
+    const glm::vec2 uv_cm = SmallAtlas().texels[i].uv_cm;
+    if (uv_cm.x <= 0) continue;
+    sum += canvas.at(i).colour.r * uv_cm;
     weight += canvas.at(i).colour.r;
   }
   return sum / weight;
@@ -187,7 +187,7 @@ TEST(AppearanceTextures, GiveKaoriRedderLipsThanSkin) {
 
 TEST(AppearanceTextures, GiveTheDogADarkWetNose) {
   const face::Texture& dog = TextureOf("dog");
-  const glm::vec2 at = TexelFromPlace({0, -3.2F}, dog.width_px);
+  const glm::vec2 at = TexelFromUv({0, -3.2F}, dog.width_px);
   const auto i = 4 * static_cast<std::size_t>(std::lround(at.y) * dog.width_px + std::lround(at.x));
   EXPECT_LT(dog.rgba[i], 90);
   EXPECT_GT(dog.rgba[i + 3], 90);

@@ -1,4 +1,4 @@
-// The show that every box brings along: how much there is of it, and that hands reach all of it.
+// The show that every box brings along: how much there is of it, and that operators reach all of it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "appliance/authoring/import/doubts.h"
 #include "appliance/authoring/import/heads.h"
 #include "appliance/authoring/import/kept_script.h"
-#include "appliance/authoring/import/mouth_place.h"
+#include "appliance/authoring/import/mouth_uvs.h"
 #include "appliance/authoring/sculpt/cage.h"
 #include "tests/appliance/authoring/import_head.h"
 
@@ -141,7 +141,7 @@ Heads WithATooth(const glm::vec2& at) {
   return heads;
 }
 
-TEST(MouthPlace, IsMovedBesideTheSkin) {
+TEST(MouthUvs, IsMovedBesideTheSkin) {
   Heads heads = WithATooth({0.4F, 0.4F});
   EXPECT_NEAR(MouthOverSkin(heads), 1, 1e-6);
   PutMouthBesideSkin(heads);
@@ -150,7 +150,7 @@ TEST(MouthPlace, IsMovedBesideTheSkin) {
   EXPECT_GT(heads.uv[4].y, heads.uv[2].y);
 }
 
-TEST(MouthPlace, BesideTheSkinIsLeftAlone) {
+TEST(MouthUvs, BesideTheSkinIsLeftAlone) {
   EXPECT_EQ(MouthOverSkin(WithATooth({1.2F, 0.4F})), 0);
 }
 

@@ -7,7 +7,7 @@
 
 #include "appliance/authoring/import/depth_view.h"
 #include "appliance/authoring/import/lid_paint.h"
-#include "appliance/authoring/import/paint_places.h"
+#include "appliance/authoring/import/paint_uvs.h"
 #include "appliance/authoring/sculpt/cage.h"
 #include "tests/appliance/authoring/import_head.h"
 
@@ -86,7 +86,7 @@ TEST(InsideOfMouth, IsWhatLiesBehindTheLips) {
   }
 }
 
-TEST(PaintPlaces, OfSkinThatIsSeenAreNoneOfTheInsideOfTheMouth) {
+TEST(PaintUvs, OfSkinThatIsSeenAreNoneOfTheInsideOfTheMouth) {
   const face::Cast& cast = DefaultShow().cast;
   const sculpt::Cage cage = sculpt::BuildCage();
   Findings findings;
@@ -97,11 +97,11 @@ TEST(PaintPlaces, OfSkinThatIsSeenAreNoneOfTheInsideOfTheMouth) {
   const face::Index beside = cage.left[cage.half.At(sculpt::Region::kMouth, sculpt::kMouthCorner, 1)];
   const face::Index within = cage.left[cage.half.At(sculpt::Region::kMouth, sculpt::kMouthCorner, 9)];
   spots[beside].corners = {within, within, within};
-  std::vector<glm::vec2> place;
-  for (const Spot& spot : spots) place.push_back(spot.Of(cast.topology.texture));
-  SettlePlaces(heads, ShapeOfHeads(heads), spots, cast, place);
+  std::vector<glm::vec2> uv;
+  for (const Spot& spot : spots) uv.push_back(spot.Of(cast.topology.texture));
+  SettleUvs(heads, ShapeOfHeads(heads), spots, cast, uv);
   const glm::vec2 own = cast.topology.texture[beside];
-  EXPECT_LT(glm::distance(place[beside], own), 0.3F * glm::distance(cast.topology.texture[within], own));
+  EXPECT_LT(glm::distance(uv[beside], own), 0.3F * glm::distance(cast.topology.texture[within], own));
 }
 
 }  // namespace

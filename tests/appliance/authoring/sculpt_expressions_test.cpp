@@ -56,10 +56,10 @@ TEST(ControlNet, HasAHundredPointsOrSoThatSitOnTheFace) {
       on_face += Net().surface.weight[i] * kaori.positions[Net().surface.column[i]];
     }
     // In front, the unrolled surface is the face seen from the front.
-    const glm::dvec2 extent_cm = sculpt::kPlaceMax_cm - sculpt::kPlaceMin_cm;
-    const glm::dvec2 place = sculpt::kPlaceMin_cm + glm::dvec2(Net().points[p].uv) * extent_cm;
-    if (std::abs(place.x) > 3.5 || place.y < -7) continue;
-    EXPECT_LT(glm::distance(place, 100.0 * glm::dvec2(on_face)), 0.6) << Net().points[p].name;
+    const glm::dvec2 extent_cm = sculpt::kUvMax_cm - sculpt::kUvMin_cm;
+    const glm::dvec2 uv_cm = sculpt::kUvMin_cm + glm::dvec2(Net().points[p].uv) * extent_cm;
+    if (std::abs(uv_cm.x) > 3.5 || uv_cm.y < -7) continue;
+    EXPECT_LT(glm::distance(uv_cm, 100.0 * glm::dvec2(on_face)), 0.6) << Net().points[p].name;
   }
 }
 

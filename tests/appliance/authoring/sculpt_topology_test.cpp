@@ -154,17 +154,17 @@ TEST(FineMesh, SharesPositionsAcrossSeams) {
 TEST(TextureMap, IsItsOwnInverse) {
   for (double u = -21; u <= 21; u += 0.37) {
     for (double v = -17.5; v <= 13.5; v += 0.41) {
-      const glm::dvec2 place(u, v);
-      const glm::dvec2 texture = sculpt::TextureFromPlace(place);
-      EXPECT_LT(glm::distance(sculpt::PlaceFromTexture(texture), place), 1e-9);
+      const glm::dvec2 uv_cm(u, v);
+      const glm::dvec2 texture = sculpt::TextureFromUv(uv_cm);
+      EXPECT_LT(glm::distance(sculpt::UvFromTexture(texture), uv_cm), 1e-9);
       EXPECT_TRUE(texture.x >= 0 && texture.x <= 1 && texture.y >= 0 && texture.y <= 1);
     }
   }
 }
 
 TEST(TextureMap, GivesTheFaceMostOfThePicture) {
-  const glm::dvec2 low = sculpt::TextureFromPlace({-6.9, -10.2});
-  const glm::dvec2 high = sculpt::TextureFromPlace({6.9, 4.9});
+  const glm::dvec2 low = sculpt::TextureFromUv({-6.9, -10.2});
+  const glm::dvec2 high = sculpt::TextureFromUv({6.9, 4.9});
   EXPECT_GT(high.x - low.x, 0.6);
   EXPECT_GT(high.y - low.y, 0.69);
 }

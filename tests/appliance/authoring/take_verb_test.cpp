@@ -43,7 +43,7 @@ TEST_F(VerbTake, ChangesHowATakeIsPlayedAndKeepsTheRecording) {
   EXPECT_THAT(Run({"gain", "FOLDER", "wave", "0.5"}), HasSubstr("0.50 times as large"));
   EXPECT_THAT(Run({"ease", "FOLDER", "wave", "0.4"}), ::testing::StartsWith("0 "));
   EXPECT_THAT(Run({"loop", "FOLDER", "wave", "1"}), HasSubstr("a loop of 4.00 s"));
-  EXPECT_THAT(Run({"put", "FOLDER", "wave", "under"}), HasSubstr("; under hands"));
+  EXPECT_THAT(Run({"put", "FOLDER", "wave", "under"}), HasSubstr("; under operator input"));
   EXPECT_THAT(Run({"put", "FOLDER", "wave", "below"}), HasSubstr("below: is none of add, under, over"));
   const auto take = LoadTake(folder_, "wave");
   ASSERT_TRUE(take) << take.error().message();

@@ -1,4 +1,4 @@
-// Her gaze: saccades, whom she looks at, the head that follows, and hands that take it.
+// Her gaze: saccades, whom she looks at, the head that follows, and operators who take it over.
 #include <set>
 
 #include "tests/appliance/core/life_fixture.h"

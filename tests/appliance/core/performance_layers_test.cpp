@@ -1,4 +1,4 @@
-// Takes that lie under or over hands, beside those that are added to them: who has a level, and that nothing jumps.
+// Takes that lie under or over operator input, beside those that are added to them: who has a level, and that nothing jumps.
 #include "appliance/core/performance/layers.h"
 
 #include "appliance/core/performance/motions.h"

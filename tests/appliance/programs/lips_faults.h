@@ -28,7 +28,7 @@ enum class Fault : std::uint8_t {
 const char* NameOf(Fault fault);
 bool TakesTheLips(Fault fault);  // While it lasts.
 
-// A lip camera before open lips, and the hands that spoil it. Its time is the clock that it was made with.
+// A lip camera before open lips, and what spoils its picture. Its time is the clock that it was made with.
 class SpoiltCamera {
  public:
   virtual ~SpoiltCamera() = default;

@@ -1,5 +1,9 @@
 // A copy of the root's show beside the shows of sticks.
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "appliance/programs/shows/copy.h"
 #include "tests/appliance/programs/shows_simulated_folder.h"
@@ -39,6 +43,16 @@ TEST_F(CopyTest, OfARootThatReadsWronglyIsNotKept) {
   SimulatedSource failing(root_, 5000);
   EXPECT_FALSE(KeepCopy(folder_, failing, {}));
   EXPECT_THAT(folder_.Names().value(), ::testing::IsEmpty());
+}
+
+TEST_F(CopyTest, OfAFileThatIsNoPackIsRefusedByItsName) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / ("keeps-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "given.kaori") << "no pack at all";
+  const auto kept = KeepCopyOf(folder / "given.kaori", folder, {});
+  std::filesystem::remove_all(folder);
+  ASSERT_FALSE(kept);
+  EXPECT_EQ(kept.error().message(), (folder / "given.kaori").string() + " is no show pack");
 }
 
 TEST_F(CopyTest, IsNotMadeWhereThereIsNoRoom) {

@@ -22,7 +22,7 @@ class SimulatedDials {
   const std::string& name() const { return name_; }
 
   // Moves each dial by its own number of edges, clockwise where that is positive: the first edge of each, then the
-  // second of each, as hands do that turn at once, with `pause_us` after each edge. Errors: those of the files.
+  // second of each, as those of an operator do who turns several at once, with `pause_us` after each edge. Errors: those of the files.
   Result<void> Turn(std::array<int, kDials> edges, int pause_us);
 
  private:

@@ -37,9 +37,6 @@ class DeskConnection {
   // Sends a small picture where one is wanted and due. The planes are borrowed for the call.
   void SendPicture(const decode::Planes& planes, const PaintKey& key, Time now);
 
-  // Since the program began, over all desks.
-  std::uint32_t pictures_sent() const { return number_; }
-
  private:
   DeskConnection(UniqueFd listener, std::string path)
       : listener_(std::move(listener)), path_(std::move(path)) {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "appliance/core/board/mouth.h"
 #include "appliance/programs/lips/voice/delay_line.h"
 #include "appliance/programs/lips/voice/voice_mouth.h"
 #include "drivers/base/number.h"
@@ -29,7 +30,7 @@ std::optional<Duration> Measured(const board::Snapshot& board, Time now) {
   const auto& status = board.stage_status;
   if (status.source != board::SourceState::kLive || now - status.at > kFresh) return std::nullopt;
   if (status.value.mouth_lag == Duration{}) return std::nullopt;
-  const bool lips = board.lips.source == board::SourceState::kLive && board.lips.value.quality > 0;
+  const bool lips = board.lips.source == board::SourceState::kLive && board::IsUsable(board.lips.value);
   return std::clamp<Duration>(status.value.mouth_lag + (lips ? kLipsFilterLag : kVoiceMouthLag), Duration{},
                               kLongestDelay);
 }

@@ -1,4 +1,4 @@
-#include "appliance/core/showlog/frame_words.h"
+#include "appliance/core/showlog/frame_encoding.h"
 
 #include <algorithm>
 #include <bit>

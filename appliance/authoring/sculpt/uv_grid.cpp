@@ -1,10 +1,10 @@
-#include "appliance/authoring/sculpt/place_grid.h"
+#include "appliance/authoring/sculpt/uv_grid.h"
 
 #include "appliance/authoring/sculpt/pchip.h"
 
 namespace kaori::sculpt {
 
-std::vector<glm::dvec2> PlaceGrid() {
+std::vector<glm::dvec2> UvGrid() {
   // Columns and rows of the grid, and their u and v in centimetres. Of a column in the face (0 to 11) this is
   // the x of the reference face, so that a designer can read positions off a picture of it; behind the ear it
   // is the arc round the head.

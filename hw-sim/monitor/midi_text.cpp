@@ -1,4 +1,4 @@
-#include "hw-sim/monitor/midi_words.h"
+#include "hw-sim/monitor/midi_text.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ std::string InWords(unsigned kind, unsigned number, unsigned value) {
 
 }  // namespace
 
-std::string MidiWords(const board::MidiHeard::Message& message) {
+std::string MidiText(const board::MidiHeard::Message& message) {
   const unsigned status = message.bytes & 0xFFU;
   const std::string words = InWords(status >> 4U, message.bytes >> 8U & 0x7FU, message.bytes >> 16U & 0x7FU);
   const unsigned channel = (status & 0x0FU) + 1;

@@ -1,4 +1,4 @@
-#include "appliance/authoring/import/role_words.h"
+#include "appliance/authoring/import/role_names.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "appliance/authoring/import/mouth_place.h"
+#include "appliance/authoring/import/mouth_uvs.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Places of the grid's lines in the unrolled surface.
+// The u and v of the grid's lines in the unrolled surface.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,6 @@ namespace kaori::sculpt {
 
 // In centimetres, as in texture_map.h; [row * (kColumns + 1) + column]. Narrow cells in the face, wide
 // behind. A product of two curves, so grid lines are straight in the parameter space, whatever the face.
-std::vector<glm::dvec2> PlaceGrid();
+std::vector<glm::dvec2> UvGrid();
 
 }  // namespace kaori::sculpt

@@ -1,4 +1,4 @@
-// A MIDI message in the words in which the makers of surfaces write it.
+// A MIDI message as the makers of surfaces write it.
 #pragma once
 
 #include <string>
@@ -9,6 +9,6 @@ namespace kaori::sim {
 
 // "CC 21 = 64", "note 36 on, velocity 100", "note 36 off", "program 5", "pitch bend 8192"; on another channel than the
 // first "channel 11: CC 1 = 3".
-std::string MidiWords(const board::MidiHeard::Message& message);
+std::string MidiText(const board::MidiHeard::Message& message);
 
 }  // namespace kaori::sim

@@ -1,4 +1,4 @@
-#include "appliance/authoring/import/paint_places.h"
+#include "appliance/authoring/import/paint_uvs.h"
 
 #include <algorithm>
 #include <optional>
@@ -21,25 +21,25 @@ bool IsSeen(const Spot& spot, const std::vector<bool>& seen) {
 }
 
 // Half-way to the mean of the neighbours, a few times.
-void SmoothPlaces(const MeshGraph& graph, std::vector<glm::vec2>& place) {
+void SmoothUvs(const MeshGraph& graph, std::vector<glm::vec2>& uv) {
   // Four steps take a zigzag of one vertex away, and leave lips and brows their form.
   constexpr int kSteps = 4;
   constexpr float kShare = 0.5F;
   // The graph smooths vectors of space; the third number stays 0.
   std::vector<glm::vec3> values;
-  for (const glm::vec2& p : place) values.emplace_back(p, 0);
+  for (const glm::vec2& p : uv) values.emplace_back(p, 0);
   for (int step = 0; step < kSteps; ++step) graph.Smooth(kShare, values);
-  for (std::size_t v = 0; v < place.size(); ++v) place[v] = glm::vec2(values[v]);
+  for (std::size_t v = 0; v < uv.size(); ++v) uv[v] = glm::vec2(values[v]);
 }
 
 // The mean of the neighbours' places that are not wrong; none where all are.
 std::optional<glm::vec2> MeanAbout(const MeshGraph& graph, Index v, const std::vector<bool>& wrong,
-                                   const std::vector<glm::vec2>& place) {
+                                   const std::vector<glm::vec2>& uv) {
   glm::vec2 sum{};
   float count = 0;
   for (const Index other : graph.around(v)) {
     if (wrong[other]) continue;
-    sum += place[other];
+    sum += uv[other];
     ++count;
   }
   return count > 0 ? std::optional(sum / count) : std::nullopt;
@@ -48,8 +48,8 @@ std::optional<glm::vec2> MeanAbout(const MeshGraph& graph, Index v, const std::v
 }  // namespace
 
 // From the edge of what is wrong inwards, a ring of vertices a step.
-void SettlePlaces(const Heads& heads, const HeadShape& head, const std::vector<Spot>& spots,
-                  const face::Cast& show, std::vector<glm::vec2>& place) {
+void SettleUvs(const Heads& heads, const HeadShape& head, const std::vector<Spot>& spots,
+                  const face::Cast& show, std::vector<glm::vec2>& uv) {
   // More than a mouth has between its corner and the cheek: what is wrong farther in keeps its place.
   constexpr int kMostRings = 12;
   const std::vector<bool> seen_here = SeenFromFront(head);
@@ -64,18 +64,18 @@ void SettlePlaces(const Heads& heads, const HeadShape& head, const std::vector<S
     // What this step mends helps its neighbours in the next one only, so that the order of vertices does not matter.
     std::vector<Index> mended;
     for (Index v = 0; v < wrong.size(); ++v) {
-      const auto mean = wrong[v] ? MeanAbout(graph, v, wrong, place) : std::nullopt;
+      const auto mean = wrong[v] ? MeanAbout(graph, v, wrong, uv) : std::nullopt;
       if (!mean) continue;
-      place[v] = *mean;
+      uv[v] = *mean;
       mended.push_back(v);
     }
     for (const Index v : mended) wrong[v] = false;
     if (mended.empty()) break;
   }
   // Copies follow.
-  for (Index v = 0; v < place.size(); ++v)
-    if (heads.part[v] == PartOf::kSkin) place[v] = place[graph.weld(v)];
-  SmoothPlaces(graph, place);
+  for (Index v = 0; v < uv.size(); ++v)
+    if (heads.part[v] == PartOf::kSkin) uv[v] = uv[graph.weld(v)];
+  SmoothUvs(graph, uv);
 }
 
 // Spread from behind the lips, through what is hidden.
