@@ -63,4 +63,11 @@ Result<LineRoles> ParseLineRoles(std::string_view text) {
   return roles;
 }
 
+std::uint32_t WiredInputs(const LineRoles& roles) {
+  std::uint32_t wired = 0;
+  for (std::size_t n = 0; n < roles.inputs.size(); ++n)
+    if (roles.inputs[n]) wired |= 1U << n;
+  return wired;
+}
+
 }  // namespace kaori::input

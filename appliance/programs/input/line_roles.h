@@ -26,4 +26,7 @@ struct LineRoles {
 // The message names the word. An empty text is an error too: a box without lines does not call this.
 Result<LineRoles> ParseLineRoles(std::string_view text);
 
+// Bit n: input n has a line. Pure.
+std::uint32_t WiredInputs(const LineRoles& roles);
+
 }  // namespace kaori::input

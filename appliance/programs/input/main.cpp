@@ -72,7 +72,8 @@ constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
   std::string links, file, box, last_good, turns, kiosk, key, chip, lines, serial, surfaces, keys, midi,
-      dials, counts;
+      dials;
+  std::string counts;
   bool hidraw = false, usb = false;
 };
 
@@ -202,11 +203,7 @@ kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
 // the lines are opened.
 std::uint32_t WiredLines(const Settings& settings) {
   const auto roles = kaori::input::ParseLineRoles(settings.lines);
-  if (settings.chip.empty() || !roles) return kaori::board::kEveryLine;
-  std::uint32_t wired = 0;
-  for (std::size_t n = 0; n < roles->inputs.size(); ++n)
-    if (roles->inputs[n]) wired |= 1U << n;
-  return wired;
+  return settings.chip.empty() || !roles ? kaori::board::kEveryLine : WiredInputs(*roles);
 }
 
 // Empty where neither a chip nor the simulator is asked for.
@@ -261,7 +258,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (lines) sources.lines = std::move(*lines);
   sources.wired_lines = WiredLines(settings);
   sources.turns = settings.turns;
-  sources.has_keyboards = settings.kiosk.empty() || !kaori::IsThere(settings.kiosk);
+  sources.has_keyboards = !kaori::IsThere(settings.kiosk);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   sources.maps = ReadMaps(settings.surfaces, settings.keys);
   const auto midi_surfaces = MidiSurfacesOf(sources.maps);
@@ -292,10 +289,10 @@ int main(int argc, char** argv) {
   options.Text("--board", settings.board).Switch("--hidraw", settings.hidraw).Switch("--usb", settings.usb);
   options.Text("--links", settings.links).Text("--serial", settings.serial).Text("--dials", settings.dials);
   options.Text("--surfaces", settings.surfaces).Text("--keys", settings.keys).Text("--midi", settings.midi);
-  options.Text("--gpiochip", settings.chip).Text("--lines", settings.lines);
-  options.Text("--counts-per-turn", settings.counts).Text("--settings", settings.file);
-  options.Text("--box", settings.box).Text("--last-good", settings.last_good);
-  options.Text("--turns", settings.turns).Text("--kiosk", settings.kiosk).Text("--key", settings.key);
+  options.Text("--gpiochip", settings.chip).Text("--lines", settings.lines).Text("--settings", settings.file);
+  options.Text("--counts-per-turn", settings.counts).Text("--box", settings.box).Text("--key", settings.key);
+  options.Text("--last-good", settings.last_good).Text("--turns", settings.turns);
+  options.Text("--kiosk", settings.kiosk);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());

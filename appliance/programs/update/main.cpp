@@ -88,18 +88,9 @@ kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::por
   });
 }
 
-// A file that holds no key is named, and the others count; where nothing can be read nobody is trusted.
-kaori::show::PublicKeys KeysOf(const Settings& settings) {
-  std::vector<std::string> faults;
-  const std::vector<fs::path> folders{settings.keys};
-  const auto keys = kaori::show::ReadPublicKeys(folders, &faults);
-  for (const std::string& fault : faults) kaori::LogWarning("{}", fault);
-  return keys.value_or(kaori::show::PublicKeys{});
-}
-
 kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running& running) {
   return {.running = running,
-          .keys = [&settings] { return KeysOf(settings); },
+          .keys = [&settings] { return kaori::update::TrustedKeys(settings.keys); },
           .open_disk = [&settings, running] { return OpenDisk(settings, running.slot); },
           .open_choice = [&settings, running] { return OpenBootChoice(settings.disk, running.slot); },
           .restart = [&settings] { kaori::update::RestartMachine(settings.systemctl); },
@@ -224,7 +215,7 @@ int TryOtherSystem(const Settings& settings, const kaori::update::Running& runni
 
 // For a laptop's test, and for whoever has the disk in another computer. What is no update is said before the disk is asked for.
 int Install(const Settings& settings, const kaori::update::Running& running) {
-  auto keys = KeysOf(settings);
+  auto keys = kaori::update::TrustedKeys(settings.keys);
   auto file = kaori::OpenRegular(settings.install, "open " + settings.install);
   auto source = std::move(file).and_then(
       [](kaori::RegularFile opened) { return kaori::update::SourceOf(std::move(opened.fd)); });

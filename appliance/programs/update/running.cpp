@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "drivers/base/log.h"
 #include "drivers/base/number.h"
 #include "drivers/base/read_file.h"
 
@@ -43,6 +45,14 @@ Result<Running> ReadRunning(const std::filesystem::path& version, const std::fil
   if (*letter != "A" && *letter != "B") return FailInput(slot.string() + ": it names no slot");
   return Running{*number, *least, *letter == "A" ? ports::Slot::kA : ports::Slot::kB,
                  std::string(AfterWord(text, "product ").value_or(kProduct))};
+}
+
+show::PublicKeys TrustedKeys(const std::filesystem::path& folder) {
+  std::vector<std::string> faults;
+  const std::vector<std::filesystem::path> folders{folder};
+  const auto keys = show::ReadPublicKeys(folders, &faults);
+  for (const std::string& fault : faults) LogWarning("{}", fault);
+  return keys.value_or(show::PublicKeys{});
 }
 
 }  // namespace kaori::update
