@@ -49,7 +49,7 @@ std::optional<glm::vec2> MeanAbout(const MeshGraph& graph, Index v, const std::v
 
 // From the edge of what is wrong inwards, a ring of vertices a step.
 void SettleUvs(const Heads& heads, const HeadShape& head, const std::vector<Spot>& spots,
-                  const face::Cast& show, std::vector<glm::vec2>& uv) {
+               const face::Cast& show, std::vector<glm::vec2>& uv) {
   // More than a mouth has between its corner and the cheek: what is wrong farther in keeps its place.
   constexpr int kMostRings = 12;
   const std::vector<bool> seen_here = SeenFromFront(head);

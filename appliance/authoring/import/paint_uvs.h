@@ -16,7 +16,7 @@ namespace kaori::import {
 // paint of what is hidden there, and takes the uv of what lies about it. All uv are then smoothed along the surface,
 // since neighbours find their spots on different triangles, by which edges of paint, as of the lips, would be jagged.
 void SettleUvs(const Heads& heads, const HeadShape& head, const std::vector<Spot>& spots,
-                  const face::Cast& show, std::vector<glm::vec2>& uv);
+               const face::Cast& show, std::vector<glm::vec2>& uv);
 
 // By vertex: what lies behind the lips, which is all that hangs together with it and cannot be seen from the front. Empty where
 // the lips are not known. Finds landmarks, and so takes as long as those (FindLandmarks).
