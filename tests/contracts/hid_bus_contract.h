@@ -54,6 +54,7 @@ class HidBusContract : public Contract<HidBusSubject> {
     auto channel = bus().Open(port);
     for (int n = 0; n < kLooks && Cause(channel) == std::errc::device_or_resource_busy; ++n) {
       subject_->Pass();
+      static_cast<void>(IsReadable(bus().pollable(), 1));
       static_cast<void>(bus().Ports());
       channel = bus().Open(port);
     }
