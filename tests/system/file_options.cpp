@@ -9,11 +9,6 @@
 namespace kaori::test {
 namespace {
 
-std::string file = "file";  // Its name in the folder.
-// What is no fault of this option: the program ends, with whatever it says of the rest.
-std::vector<std::string> passes{};
-};
-
 std::vector<std::string> NamesOfOffers() {
   std::vector<std::string> names;
   for (const Offer& offer : Offers()) names.push_back(offer.name);

@@ -12,14 +12,18 @@ struct FileOption {
   std::vector<std::string> words;
   // What this option can bear: then the program plays on.
   std::vector<std::string> bears{};
+  std::string file = "file";  // Its name in the folder.
+  // What is no fault of this option: the program ends, with whatever it says of the rest.
+  std::vector<std::string> passes{};
+};
 
-  // All rows; each is tried with everything of Offers().
-  std::vector<FileOption> FileOptions();
+// All rows; each is tried with everything of Offers().
+std::vector<FileOption> FileOptions();
 
-  // Whether an option of a help text that names a file needs no row: files_not_offered.cpp has the reasons.
-  bool NeedsNoRow(const std::string& program, const std::string& option);
+// Whether an option of a help text that names a file needs no row: files_not_offered.cpp has the reasons.
+bool NeedsNoRow(const std::string& program, const std::string& option);
 
-  // Whether a program has no option at all that names a file.
-  bool NamesNoFile(const std::string& program);
+// Whether a program has no option at all that names a file.
+bool NamesNoFile(const std::string& program);
 
 }  // namespace kaori::test
