@@ -36,6 +36,7 @@ const std::map<std::string, std::string>& NotOffered() {
       {"kaori-input --box", "a faulty one is no error: input_roles_test.cpp"},
       {"kaori-input --key", "it is written"},
       {"kaori-input --keys", "kaori-stage leaves it in memory, and no person does"},
+      {"kaori-input --kiosk", "it is only asked whether it is there"},
       {"kaori-input --last-good", "it is written, and read as --box"},
       {"kaori-input --midi",
        "the kernel's folder of devices, or a simulator's sockets; browser_playing.test.mjs plays one"},
