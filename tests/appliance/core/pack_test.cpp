@@ -117,7 +117,8 @@ TEST_F(PackTest, SoundsThatAreNoneAreRefused) {
 TEST_F(PackTest, AMissingAnEmptyAndAForeignFileAreNamed) {
   EXPECT_THAT(LoadPack(folder_ / "nowhere").error().message(), HasSubstr("nowhere: No such file"));
   EXPECT_THAT(LoadPack(folder_).error().message(), HasSubstr("Is a directory"));
-  EXPECT_THAT(LoadPack("/dev/zero").error().message(), HasSubstr("open the show /dev/zero: it is a device, not a file"));
+  EXPECT_THAT(LoadPack("/dev/zero").error().message(),
+              HasSubstr("open the show /dev/zero: it is a device, not a file"));
   EXPECT_THAT(LoadPack(Write({})).error().attempt, HasSubstr("is empty"));
   EXPECT_THAT(LoadPack(Write(std::vector<std::uint8_t>(4096, 'x'))).error().attempt,
               HasSubstr("show.kaori is no show pack"));
