@@ -32,7 +32,7 @@ Result<void> Qmp::Do(const std::string& command, json::Object arguments) {
 
 // QEMU lists an object's properties, of which those with a type "child<...>" are objects themselves.
 Result<std::string> Qmp::ChildOfType(const std::string& path, const std::string& type) {
-  const auto answer = Ask("qom-list", {{"path", path}});
+  auto answer = Ask("qom-list", {{"path", path}});
   if (!answer) return answer;
   const auto listed = nlohmann::json::parse(*answer, nullptr, false);
   for (const auto& property : listed["return"])

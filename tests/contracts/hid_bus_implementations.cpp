@@ -135,7 +135,8 @@ class MidiBusSubject final : public HidBusSubject {
   ports::HidBus& bus() override { return *bus_; }
   bool is_told() const override { return false; }
   std::string Plug(int n) override {
-    const std::string node = Node(n), port = n == 0 ? "1-4" : "1-3";
+    const std::string node = Node(n);
+    std::string port = n == 0 ? "1-4" : "1-3";
     const fs::path usb = Folder() / "devices" / port;
     fs::create_directories(usb / node);
     std::ofstream(usb / "idVendor") << "2580\n";

@@ -106,7 +106,9 @@ TEST_P(NoFile, IsRefusedInALineThatNamesIt) {
     GTEST_SKIP() << "an empty scenario is one, but there is no USB device controller here to play it";
   fs::create_directories((folder_ / option.file).parent_path());
   offer.put(folder_ / option.file);
-  const auto is_of = [&](const auto& names) { return std::ranges::find(names, offer.name) != names.end(); };
+  const auto is_of = [name = offer.name](const auto& names) {
+    return std::ranges::find(names, name) != names.end();
+  };
   const bool bears = is_of(option.bears);
   const End end = AwaitEnd(Start(option), bears);
   const std::string log = Log();
