@@ -130,7 +130,6 @@ Result<void> TryUnknownDevices(Scene& scene, bool wrong) {
   int tried = 0, liars = 0, let_in = 0;
   {
     const UnpluggedDevice pointer(scene, "pointer");
-    const UnpluggedDevice bridge(scene, "gpio");  // One that takes its place is tried, too.
     for (const Unknown& unknown : UnknownDevices()) {
       const auto judgement = JudgementOf(scene, unknown);
       if (!judgement) return tl::unexpected(judgement.error());
