@@ -51,7 +51,9 @@ Result<std::string> StartHeld(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
   auto disk = CopyWithSettings(options.image + "/kaori.disk", {.settings = kKeptName}, options.folder);
   if (!disk) return disk;
+  if (auto ok = scene.target.PlugAll(); !ok) return tl::unexpected(ok.error());
   if (auto ok = scene.SwitchOn(OnResetDisk(*disk)); !ok) return tl::unexpected(ok.error());
+  if (auto ok = scene.target.agent().Find(kUntilNotice); !ok) return tl::unexpected(ok.error());
   if (scene.target.Until([&] { return NoticeSays(scene, "Let go of GO now"); }, kUntilNotice)) return disk;
   return FailInput("the status picture does not ask to let go of GO");
 }
