@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "hw-sim/devices/quadrature_phase.h"
 #include "hw-sim/hil/dial_scene.h"
 #include "hw-sim/hil/machine_lines.h"
 
@@ -14,9 +15,6 @@ constexpr std::size_t kWired = 3;
 constexpr std::array<std::pair<int, int>, kWired> kWires{{{0, 1}, {2, 4}, {5, 6}}};
 // Edges, four a cycle, both ways: two whole cycles, one and a half, and one edge more than a cycle.
 constexpr std::array<int, kWired> kTurnedEdges{8, -6, 5};
-// Of phase 0 to 3 going clockwise: A comes first. Bit 0 is A, bit 1 is B. A dial begins where pull-ups leave it.
-constexpr std::array<unsigned, 4> kLevels{0b00, 0b01, 0b11, 0b10};
-constexpr unsigned kPulledUp = 2;
 
 // "gpiochip0": the kernel's name of the chip, told by what describes the machine. Errors: invalid_argument, there is none.
 Result<std::string> ControllerOf(Scene& scene) {
@@ -44,16 +42,14 @@ class WiredDials {
 
   // One edge; clockwise where `direction` is positive.
   Result<void> Step(std::size_t dial, int direction) {
-    const unsigned before = kLevels[phases_[dial]];
-    phases_[dial] = (phases_[dial] + (direction > 0 ? 1U : 3U)) % 4;
-    const unsigned changed = before ^ kLevels[phases_[dial]];
-    const int line = changed == 0b01 ? kWires[dial].first : kWires[dial].second;
-    return scene_.target.machine().SetLine(line, (kLevels[phases_[dial]] & changed) != 0);
+    const sim::QuadratureEdge edge = phases_[dial].Step(direction);
+    const auto& [a, b] = kWires[dial];
+    return scene_.target.machine().SetLine(edge.line == 0 ? a : b, edge.is_high);
   }
 
  private:
   Scene& scene_;
-  std::array<unsigned, kWired> phases_{kPulledUp, kPulledUp, kPulledUp};
+  std::array<sim::QuadraturePhase, kWired> phases_{};
 };
 
 // Every edge is waited for before the next one, so that none can hide behind another whatever the machine's speed; dials

@@ -13,17 +13,12 @@
 #include "appliance/programs/shows/restore_disk.h"
 #include "appliance/programs/shows/settings_line.h"
 #include "drivers/base/folder.h"
-#include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string ContentOf(const fs::path& file) {
-  return ReadFile(file, {.most_bytes = backup::kLargestFile_bytes}).value_or("");
-}
 
 }  // namespace
 

@@ -8,9 +8,9 @@
 
 #include "appliance/core/restore/kept.h"
 #include "appliance/programs/shows/restoration.h"
+#include "appliance/programs/shows/restore_disk.h"
 #include "appliance/programs/shows/settings_text.h"
 #include "drivers/base/folder.h"
-#include "drivers/base/read_file.h"
 #include "drivers/base/utf8.h"
 
 namespace kaori::shows {
@@ -43,11 +43,8 @@ std::string Restoration::FingerprintOf(const std::string& path) const {
 // Each setting by itself: one of them may be a profile that lets everything in. A change of comments alone is a changed file.
 std::vector<std::string> Restoration::DifferencesOfSettings() const {
   const std::string path(restore::kSettings);
-  const auto text = [](const std::filesystem::path& file) {
-    return ReadFile(file, {.most_bytes = backup::kLargestFile_bytes}).value_or("");
-  };
   if (std::ranges::find(plan_.put, path) == plan_.put.end()) return {};
-  auto lines = SettingsDifferences(text(terms_.data / path), text(Staged(path)));
+  auto lines = SettingsDifferences(ContentOf(terms_.data / path), ContentOf(Staged(path)));
   return lines.empty() ? std::vector{Line("changed", path)} : lines;
 }
 

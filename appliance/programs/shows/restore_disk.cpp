@@ -6,9 +6,11 @@
 
 #include <cstdio>
 
+#include "appliance/core/backup/contents.h"
 #include "appliance/core/restore/plan.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/long_call.h"
+#include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori::shows {
@@ -47,6 +49,10 @@ Result<void> MakeFolders(const fs::path& folder) {
   fs::create_directories(folder, failed);
   if (failed) return Fail(static_cast<std::errc>(failed.value()), "make " + folder.string());
   return {};
+}
+
+std::string ContentOf(const fs::path& file) {
+  return ReadFile(file, {.most_bytes = backup::kLargestFile_bytes}).value_or("");
 }
 
 // The blocks that the file system keeps for root are not counted.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "drivers/base/result.h"
 
@@ -12,6 +13,8 @@ namespace kaori::shows {
 Result<void> RemoveFolder(const std::filesystem::path& folder);
 // With those above it. Errors: those of mkdir(2).
 Result<void> MakeFolders(const std::filesystem::path& folder);
+// What a file of a backup, or its counterpart on the box, holds; empty where it cannot be read, or is larger than a backup's may be.
+std::string ContentOf(const std::filesystem::path& file);
 // Errors: those of statvfs(3).
 Result<std::uint64_t> FreeBytesOf(const std::filesystem::path& folder);
 

@@ -196,28 +196,27 @@ bool Installation::RefillPacked() {
 
 // The stick may give another thing than at the first reading. It is found at the latest by the part's checksum, and
 // then no kernel says that the slot is whole, and nothing that an update waits there.
-std::optional<std::size_t> Installation::UnpackPiece(std::span<std::uint8_t> piece) {
+bool Installation::UnpackPiece(std::span<std::uint8_t> piece) {
   std::size_t filled = 0;
   while (filled < piece.size() && !unpacker_.ended()) {
     if (packed_.empty() && read_bytes_ == part().packed_bytes) break;
-    if (packed_.empty() && !RefillPacked()) return std::nullopt;
+    if (packed_.empty() && !RefillPacked()) return false;
     const auto got = unpacker_.Unpack(packed_, piece.subspan(filled));
     if (!got) {
       Refuse(Message::kPulled, got.error().message());
-      return std::nullopt;
+      return false;
     }
     filled += *got;
   }
-  return filled;
+  if (filled < piece.size()) Refuse(Message::kPulled, "it became shorter while it was read");
+  return filled == piece.size();
 }
 
 void Installation::UnpackKernelPiece() {
   const std::size_t there = kernel_.size();
   kernel_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(part().bytes, there + kPiece_bytes)));
   const auto piece = std::span(kernel_).subspan(there);
-  const auto filled = UnpackPiece(piece);
-  if (!filled) return;
-  if (*filled < piece.size()) return Refuse(Message::kPulled, "it became shorter while it was read");
+  if (!UnpackPiece(piece)) return;
   sum_.Add(piece);
   if (kernel_.size() < part().bytes) return;
   if (sum_.Finish() != part().checksum) return Refuse(Message::kPulled, "it is another one than before");
@@ -225,27 +224,16 @@ void Installation::UnpackKernelPiece() {
   stage_ = Stage::kWrite;
 }
 
-std::optional<std::vector<std::uint8_t>> Installation::NextPiece() {
-  const auto bytes =
-      static_cast<std::size_t>(std::min<std::uint64_t>(part().bytes - written_bytes_, kPiece_bytes));
-  if (IsKernel()) {
-    const auto from = kernel_.begin() + static_cast<std::ptrdiff_t>(written_bytes_);
-    return std::vector<std::uint8_t>(from, from + static_cast<std::ptrdiff_t>(bytes));
-  }
-  std::vector<std::uint8_t> piece(bytes);
-  const auto filled = UnpackPiece(piece);
-  if (!filled) return std::nullopt;
-  if (*filled == piece.size()) return piece;
-  Refuse(Message::kPulled, "it became shorter while it was read");
-  return std::nullopt;
-}
-
 // The sum of the kernel fits already; that of the others is known at their end, and until a kernel with their root's hash
 // is there nothing starts them.
 void Installation::WritePiece() {
-  const auto next = NextPiece();
-  if (!next) return;
-  const std::vector<std::uint8_t>& piece = *next;
+  const auto bytes =
+      static_cast<std::size_t>(std::min<std::uint64_t>(part().bytes - written_bytes_, kPiece_bytes));
+  std::vector<std::uint8_t> unpacked(IsKernel() ? 0 : bytes);
+  if (!UnpackPiece(unpacked)) return;
+  const std::span<const std::uint8_t> piece =
+      IsKernel() ? std::span(kernel_).subspan(static_cast<std::size_t>(written_bytes_), bytes)
+                 : std::span(unpacked);
   if (auto ok = area().device->Write(area().at + written_bytes_, piece); !ok) return RefuseDisk(ok.error());
   sum_.Add(piece);
   written_bytes_ += piece.size();

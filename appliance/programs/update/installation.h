@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -113,10 +112,8 @@ class Installation {
   void WritePiece();
   void ReadPieceBack();
   void Note();
-  // Unpacks into `piece` as much as is to come of the part, and gives how much; nothing where it refused.
-  std::optional<std::size_t> UnpackPiece(std::span<std::uint8_t> piece);
-  // The next piece of what is written, from the source or from memory; nothing where it refused.
-  std::optional<std::vector<std::uint8_t>> NextPiece();
+  // Unpacks all of `piece`, or refuses: false.
+  bool UnpackPiece(std::span<std::uint8_t> piece);
   // Of the part that is written, where its packed bytes were used up.
   bool RefillPacked();
   void BeginPart();

@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 constexpr const char* kConfig = "/sys/kernel/config";
 constexpr const char* kChip = "/sys/kernel/config/gpio-sim/kaori";
 // A program that requests the lines with pull-ups, as encoders want them, sets the simulated levels high too.
-// Of phase 0 to 3 going clockwise: A comes first. Bit 0 is A, bit 1 is B.
-constexpr std::array<unsigned, 4> kLevelsOfPhase{0b00, 0b01, 0b11, 0b10};
 
 // Attributes take their value in one write.
 Result<void> Put(const fs::path& file, std::string_view text) {
@@ -63,14 +61,9 @@ Result<SimulatedDials> SimulatedDials::Make() {
 }
 
 Result<void> SimulatedDials::Step(int dial, int direction) {
-  unsigned& phase = phases_[static_cast<std::size_t>(dial)];
-  const unsigned before = kLevelsOfPhase[phase];
-  phase = (phase + (direction > 0 ? 1U : 3U)) % 4;
-  const unsigned changed = before ^ kLevelsOfPhase[phase];
-  const unsigned line = changed == 0b01 ? 0 : 1;
-  const bool is_high = (kLevelsOfPhase[phase] & changed) != 0;
-  return Put(lines_ / fmt::format("sim_gpio{}", 2 * dial + static_cast<int>(line)) / "pull",
-             is_high ? "pull-up" : "pull-down");
+  const sim::QuadratureEdge edge = phases_[static_cast<std::size_t>(dial)].Step(direction);
+  return Put(lines_ / fmt::format("sim_gpio{}", 2 * dial + edge.line) / "pull",
+             edge.is_high ? "pull-up" : "pull-down");
 }
 
 Result<void> SimulatedDials::Turn(std::array<int, kDials> edges, int pause_us) {

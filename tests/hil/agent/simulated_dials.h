@@ -6,6 +6,7 @@
 #include <string>
 
 #include "drivers/base/result.h"
+#include "hw-sim/devices/quadrature_phase.h"
 
 namespace kaori::agent {
 
@@ -33,8 +34,7 @@ class SimulatedDials {
 
   std::string name_;
   std::filesystem::path lines_;  // With a folder for each line, whose file `pull` is its level.
-  std::array<unsigned, kDials> phases_{2, 2, 2, 2,
-                                       2, 2, 2, 2};  // Of the cycle of four in which a dial stands.
+  std::array<sim::QuadraturePhase, kDials> phases_{};
 };
 
 }  // namespace kaori::agent
