@@ -251,7 +251,8 @@ test('a backup is saved from the page, brought back, and restored once the visit
   await download.saveAs(file);
   harness.write('data/settings/box.toml', 'profile = "bench"\n');
   await page.locator('#machine-file').setInputFiles(file);
-  await until('what differs', async () => (await page.locator('#machine-notes').textContent()).includes('settings/box.toml'));
+  await until('what differs', async () =>
+      (await page.locator('#machine-notes').textContent()).includes('changed profile  "bench" -> "stage"'));
   await take('yes, restore this');
   await said('switch the box off and on');
   assert.equal(harness.file('data/settings/box.toml'), 'profile = "bench"\n', 'the next start restores it');
