@@ -133,11 +133,13 @@ std::string Status(const SupportPlaces& places, const board::Board* board) {
   return status::TextOf(status::Describe(status::Look(*board, facts, SteadyClock().now())));
 }
 
-// Names begin with the log's number and its day: the last one is of the newest evening.
+// Names begin with the log's number and its day: the last one is of the newest evening. A link is none of our reports: a disk
+// that was elsewhere could have one to a file that is nobody's but the box's.
 std::string NewestShowReport(const fs::path& reports) {
   fs::path newest;
+  std::error_code none;
   for (const fs::path& file : ListFolder(reports).value_or(std::vector<fs::path>{}))
-    if (file.filename().string().ends_with(".report.txt")) newest = file;
+    if (file.filename().string().ends_with(".report.txt") && !fs::is_symlink(file, none)) newest = file;
   return newest.empty() ? "there is none yet\n" : newest.filename().string() + "\n\n" + TextOf(newest);
 }
 

@@ -96,7 +96,7 @@ Reason PictureFault(std::string_view shown, const std::vector<std::string_view>&
 
 // Units are told by their names; the order in which systemctl gives them does not matter. One that it left out is a fault.
 // systemctl leaves an empty line between units.
-Reason ProgramsFault(std::string_view shown, std::size_t units) {
+Reason ProgramsFault(std::string_view shown, std::size_t units, Restarts restarts) {
   std::size_t seen = 0;
   while (!shown.empty()) {
     const std::size_t end = shown.find("\n\n");
@@ -106,7 +106,7 @@ Reason ProgramsFault(std::string_view shown, std::size_t units) {
     if (name.empty()) continue;
     ++seen;
     if (ValueOf(unit, "ActiveState=") != "active") return {name + " does not run", name + "が動いていません"};
-    if (ValueOf(unit, "NRestarts=") != "0")
+    if (restarts == Restarts::kAreFaults && ValueOf(unit, "NRestarts=") != "0")
       return {name + " had to be started anew", name + "が起動し直されました"};
   }
   if (seen == units) return {};

@@ -2,6 +2,7 @@
 // Each gives what is wrong; empty: nothing. All pure.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,12 @@ inline constexpr double kMostApart = 12;
 // the picture's height from its middle, so that screens of different widths compare.
 Reason PictureFault(std::string_view shown, const std::vector<std::string_view>& expected);
 
-// What `systemctl show --property=Id,ActiveState,NRestarts` says: each unit has to run, and none was started anew.
-Reason ProgramsFault(std::string_view shown, std::size_t units);
+// Whether a program that was started anew since the box was switched on is a fault. It is one of a version; a system that is
+// tried because the other one shows no face is kept with it, since to give way would be to show none.
+enum class Restarts : std::uint8_t { kAreFaults, kAreNone };
+
+// What `systemctl show --property=Id,ActiveState,NRestarts` says of so many units: each has to run, and none was started anew.
+Reason ProgramsFault(std::string_view shown, std::size_t units, Restarts restarts);
 
 // What `systemctl show --property=NRestarts` says of one unit: whether it was started anew twice or more.
 bool EndsAgainAndAgain(std::string_view shown);

@@ -115,15 +115,18 @@ std::string PictureOf(const std::string& file) {
 // Looks at everything once, the cheapest first: what is found becomes the reason where the system gives way. `seen` is when
 // the picture of the look before was made: a stage that hangs makes no new one. `last` is the last face that the system before
 // has kept: what is tried keeps one of its own, which says nothing of it.
-kaori::update::Reason FaultNow(const Settings& settings, const std::string& last, fs::file_time_type& seen) {
+kaori::update::Reason FaultNow(const Settings& settings, const std::string& last,
+                               kaori::update::Restarts restarts, fs::file_time_type& seen) {
   std::vector<std::string> ask{settings.systemctl, "show", "--property=Id,ActiveState,NRestarts"};
   ask.insert(ask.end(), kPrograms.begin(), kPrograms.end());
   const auto programs = kaori::OutputOf(ask, kMostLog_bytes, kLongestAnswer);
   if (!programs) return {programs.error().message(), "プログラムの状態を調べられません"};
-  if (auto fault = kaori::update::ProgramsFault(*programs, kPrograms.size()); !fault.empty()) return fault;
+  if (auto fault = kaori::update::ProgramsFault(*programs, kPrograms.size(), restarts); !fault.empty())
+    return fault;
   const auto log = kaori::OutputOf({"/bin/journalctl", "-k", "-b", "--no-pager", "-o", "cat"}, kMostLog_bytes,
                                    kLongestAnswer);
-  if (auto fault = kaori::update::DiskFault(log.value_or("")); !fault.empty()) return fault;
+  if (!log) return {log.error().message(), "カーネルのログを読めません"};
+  if (auto fault = kaori::update::DiskFault(*log); !fault.empty()) return fault;
   std::error_code none;
   const auto made = fs::last_write_time(settings.picture, none);
   if (none || std::exchange(seen, made) == made)
@@ -166,11 +169,13 @@ int LookOn(const Settings& settings, kaori::ports::BootChoice& choice, kaori::up
   const kaori::SteadyClock clock;
   kaori::update::Confirmation confirmation(clock.now());
   const std::string last = PictureOf(settings.last_face);
+  const auto restarts =
+      version == 0 ? kaori::update::Restarts::kAreNone : kaori::update::Restarts::kAreFaults;
   fs::file_time_type seen{};
   const fs::path wanted = fs::path(settings.said) / "wanted";
   if (auto told = kaori::WriteWholeFile(wanted, {}); !told) kaori::LogWarning("{}", told.error().message());
   const auto look = [&] {
-    const auto verdict = confirmation.Observe(FaultNow(settings, last, seen), clock.now());
+    const auto verdict = confirmation.Observe(FaultNow(settings, last, restarts, seen), clock.now());
     if (verdict == kaori::update::Confirmation::Verdict::kLooking) return;
     End(settings, verdict, confirmation.reason(), choice, notes, version);
     loop.Stop();

@@ -70,6 +70,16 @@ TEST_F(SupportTest, HasTheNewestShowReport) {
   EXPECT_THAT(report, ::testing::Not(HasSubstr("the seventh")));
 }
 
+TEST_F(SupportTest, FollowsNoLinkToAnotherFileOfTheBox) {
+  fs::create_directories(folder_ / "reports");
+  Put("secret", "hunter2\n");
+  Put("reports/0007-20261122-190000.report.txt", "Kaori, the seventh\n");
+  fs::create_symlink(folder_ / "secret", folder_ / "reports/0008-20261123-190000.report.txt");
+  const std::string report = Report();
+  EXPECT_THAT(report, HasSubstr("Kaori, the seventh\n"));
+  EXPECT_THAT(report, ::testing::Not(HasSubstr("hunter2")));
+}
+
 TEST_F(SupportTest, SaysWhyTheLastStartsEndedAndWhatCrashedBeforeAllElse) {
   Put("os-release", "PRETTY_NAME=\"Kaori box\"\n");
   Put("profile/root_hash", "0123456789abcdef\n");

@@ -58,7 +58,7 @@ class BadSlotTest : public ::testing::Test {
  protected:
   // As kaori-update looks, every 5 s; without a look at the picture where the control wants it.
   static Reason FaultOf(const BadSlot& slot, seconds at, bool looks_at_picture) {
-    if (auto fault = ProgramsFault(slot.units, 1); !fault.empty()) return fault;
+    if (auto fault = ProgramsFault(slot.units, 1, Restarts::kAreFaults); !fault.empty()) return fault;
     if (!looks_at_picture) return {};
     return PictureFault(at < slot.shows_after ? std::string() : slot.picture, {kWanted});
   }

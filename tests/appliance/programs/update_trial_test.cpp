@@ -205,14 +205,20 @@ TEST(UpdateLooks, FindABlackPictureAnotherFaceAndNone) {
 }
 
 TEST(UpdateLooks, FindAProgramThatDoesNotRunOrWasStartedAnew) {
-  const std::string stage = "Id=kaori-stage.service\nNRestarts=0\nActiveState=active\n";
-  EXPECT_TRUE(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=active\n", 2).empty());
-  EXPECT_EQ(ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=1\nActiveState=active\n", 2).english,
+  const std::string stage = "Id=kaori-stage.service\nNRestarts=0\nActiveState=active\n\n";
+  const auto fault = [&stage](const std::string& lips, Restarts restarts = Restarts::kAreFaults) {
+    return ProgramsFault(stage + lips, 2, restarts).english;
+  };
+  EXPECT_EQ(fault("Id=kaori-lips.service\nNRestarts=0\nActiveState=active\n"), "");
+  EXPECT_EQ(fault("Id=kaori-lips.service\nNRestarts=1\nActiveState=active\n"),
             "kaori-lips.service had to be started anew");
-  EXPECT_EQ(
-      ProgramsFault(stage + "\nId=kaori-lips.service\nNRestarts=0\nActiveState=activating\n", 2).english,
-      "kaori-lips.service does not run");
-  EXPECT_EQ(ProgramsFault(stage, 2).english, "it is not known which programs run");
+  EXPECT_EQ(fault("Id=kaori-lips.service\nNRestarts=0\nActiveState=activating\n"),
+            "kaori-lips.service does not run");
+  EXPECT_EQ(fault(""), "it is not known which programs run");
+  EXPECT_EQ(fault("Id=kaori-lips.service\nNRestarts=1\nActiveState=active\n", Restarts::kAreNone), "")
+      << "the other system shows no face at all";
+  EXPECT_EQ(fault("Id=kaori-lips.service\nNRestarts=1\nActiveState=failed\n", Restarts::kAreNone),
+            "kaori-lips.service does not run");
 }
 
 TEST(UpdateLooks, FindABlockThatFailedVerity) {
