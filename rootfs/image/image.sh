@@ -76,7 +76,8 @@ bundle() {
   need "${BUILD_PACKAGES[@]}"
   build release kaori-bundle
   version=$(sed -n 's/^version //p' "$image/root/usr/share/kaori/version")
-  $BIN/kaori-bundle --image "$image" --key "$key" --news "$news" --from "${from:-1}" --to "${to:-out/kaori-$version.kaoriupdate}" ||
+  say "packing the update as small as it can be (minutes)"
+  $BIN/kaori-bundle --smallest --image "$image" --key "$key" --news "$news" --from "${from:-1}" --to "${to:-out/kaori-$version.kaoriupdate}" ||
     fail "no update was made; the reason stands above"
 }
 

@@ -8,7 +8,6 @@ KINDS = (
     ("llvm", ("usr/lib/*/libLLVM",)),
     ("desk", ("usr/lib/*/libgnutls", "usr/lib/*/libunistring", "usr/lib/*/libp11-kit", "usr/lib/*/libgmp", "usr/lib/*/libnettle",
               "usr/lib/*/libhogweed", "usr/lib/*/libidn2", "usr/lib/*/libtasn1", "usr/lib/*/libmicrohttpd")),
-    ("openssl", ("usr/lib/*/libcrypto",)),
     ("systemd", ("usr/lib/*/systemd/", "usr/lib/systemd/", "usr/bin/systemctl", "usr/bin/udevadm", "usr/bin/journalctl")),
     ("time zones", ("usr/share/zoneinfo/",)),
 )

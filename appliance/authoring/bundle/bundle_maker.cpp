@@ -55,12 +55,13 @@ Result<std::uint32_t> VersionOf(const std::filesystem::path& image) {
 
 Result<void> MakeBundle(update::Manifest manifest,
                         const std::array<std::filesystem::path, update::kParts>& parts,
-                        const show::SecretKey& signer, const std::filesystem::path& file) {
+                        const show::SecretKey& signer, const std::filesystem::path& file,
+                        update::Packing packing) {
   std::vector<std::uint8_t> payload;
   for (std::size_t n = 0; n < update::kParts; ++n) {
     const auto content = ReadFile(parts[n], {.most_bytes = update::kLargestPart_bytes});
     if (!content) return tl::unexpected(content.error());
-    const auto packed = update::Pack(AsBytes(*content));
+    const auto packed = update::Pack(AsBytes(*content), packing);
     if (!packed) return tl::unexpected(packed.error());
     manifest.parts[n] = {
         .packed_bytes = packed->size(), .bytes = content->size(), .checksum = ChecksumOf(AsBytes(*content))};

@@ -16,11 +16,13 @@ constexpr std::string_view kHelp = R"(kaori-bundle: makes an update of a box
   --key FILE      the secret key that signs; boxes trust the public ones that their image was built with
   --from N        the lowest version from which a box may come to this one (1)
   --news TEXT     what is new, one line; of Japanese 32 letters at most, of others 96
+  --smallest      packs it as small as it can, which takes minutes
   --to FILE       what is made, as in kaori-12.kaoriupdate
 )";
 
 struct Settings {
   std::string image, key, news, to, from = "1";
+  bool smallest = false;
 };
 
 }  // namespace
@@ -30,7 +32,8 @@ int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-bundle");
   Settings settings;
   kaori::Options options(kHelp);
-  options.Text("--image", settings.image)
+  options.Switch("--smallest", settings.smallest)
+      .Text("--image", settings.image)
       .Text("--key", settings.key)
       .Text("--from", settings.from)
       .Text("--news", settings.news)
@@ -47,8 +50,9 @@ int main(int argc, char** argv) {
   if (!product) return kaori::ExitWithError(product.error());
   const kaori::update::Manifest manifest{
       .version = *version, .from = *from, .product = *product, .news = settings.news};
-  const auto made =
-      kaori::authoring::MakeBundle(manifest, kaori::authoring::PartFiles(settings.image), *key, settings.to);
+  const auto packing = settings.smallest ? kaori::update::Packing::kSmallest : kaori::update::Packing::kQuick;
+  const auto made = kaori::authoring::MakeBundle(manifest, kaori::authoring::PartFiles(settings.image), *key,
+                                                 settings.to, packing);
   if (!made) return kaori::ExitWithError(made.error());
   fmt::print("{}: version {}, signed by {}\n", settings.to, *version,
              kaori::show::Fingerprint(key->public_key()));

@@ -5,7 +5,8 @@
 namespace kaori::update {
 namespace {
 
-constexpr int kLevel = 12;  // As a download is weighed (rootfs/image/pack.py); higher ones take minutes.
+// zstd's. As images and those of boards are weighed (rootfs/image/pack.py).
+constexpr int kQuickLevel = 12, kSmallestLevel = 19;
 
 }  // namespace
 
@@ -37,11 +38,12 @@ Result<std::size_t> Unpacker::Unpack(std::span<const std::uint8_t>& packed, std:
   return out.pos;
 }
 
-Result<std::vector<std::uint8_t>> Pack(std::span<const std::uint8_t> content) {
+Result<std::vector<std::uint8_t>> Pack(std::span<const std::uint8_t> content, Packing packing) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
   std::vector<std::uint8_t> packed(ZSTD_compressBound(content.size()));
   if (!context) return Fail(std::errc::not_enough_memory, "pack a part of an update");
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel,
+                         packing == Packing::kSmallest ? kSmallestLevel : kQuickLevel);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_windowLog, kWindow_log2);
   const std::size_t bytes =
       ZSTD_compress2(context.get(), packed.data(), packed.size(), content.data(), content.size());

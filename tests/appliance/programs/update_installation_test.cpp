@@ -165,6 +165,28 @@ TEST_F(UpdateInstallation, WritesNoByteOfAKernelThatBecameAnotherOneSinceTheFirs
   EXPECT_EQ(notes_.pending, std::nullopt);
 }
 
+// What comes again after more than the window's 8 MiB: a larger window would be smaller still, and no box would take it.
+TEST_F(UpdateInstallation, PackedAsSmallAsItCanBeIsSmallerAndUnpacksWithinTheSameMemory) {
+  constexpr std::size_t kWords = 100'000, kWord_bytes = 7, kKnownWords = 2000,
+                        kBetween_bytes = std::size_t{9} << 20U;
+  const Bytes letters = Noise(kKnownWords * kWord_bytes, 1), chosen = Noise(2 * kWords, 2);
+  Bytes text;
+  for (std::size_t n = 0; n < 2 * kWords; n += 2) {
+    const std::size_t word = (std::size_t{chosen[n]} * 256 + chosen[n + 1]) % kKnownWords;
+    const auto from = letters.begin() + static_cast<std::ptrdiff_t>(word * kWord_bytes);
+    text.insert(text.end(), from, from + 2 + static_cast<std::ptrdiff_t>(word % (kWord_bytes - 2)));
+  }
+  const Bytes once = text;
+  text.resize(text.size() + kBetween_bytes);
+  text.insert(text.end(), once.begin(), once.end());
+  const Bytes quick = Pack(text).value(), smallest = Pack(text, Packing::kSmallest).value();
+  EXPECT_LT(smallest.size(), quick.size());
+  Bytes unpacked(text.size());
+  std::span<const std::uint8_t> packed = smallest;
+  EXPECT_EQ(Unpacker().Unpack(packed, unpacked).value(), text.size());
+  EXPECT_TRUE(unpacked == text);
+}
+
 TEST_F(UpdateInstallation, FindsADiskThatHoldsAnotherThingThanWasWritten) {
   disk_.Rot();
   EXPECT_EQ(Install(BundleOf(6)).message, Message::kDiskFault);
