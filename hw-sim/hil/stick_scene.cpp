@@ -128,6 +128,7 @@ Result<void> BringKey(Scene& scene, const std::string& show) {
   if (auto ok = WantStickSaid(scene, "> 1. " + show + "  ", kLongestReading); !ok) return ok;
   if (auto ok = WantStickSaid(scene, "  2. key theatre  ", seconds(5)); !ok) return ok;
   if (auto ok = PressFor(scene, kOne, show + ": this box "); !ok) return ok;
+  if (auto ok = PressFor(scene, kTwo, "  2. yes, trust this key"); !ok) return ok;
   return PressFor(scene, kTwo, "theatre: this key is on the box now");
 }
 

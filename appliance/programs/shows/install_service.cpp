@@ -17,13 +17,6 @@ constexpr Duration kLookPeriod = std::chrono::milliseconds(500);
 constexpr Duration kSilence = std::chrono::milliseconds(500);
 constexpr const char* kTold = "chosen";
 
-// Spaces stand in fingerprints for people's eyes only.
-std::string KeyName(const show::PublicKey& key) {
-  std::string name = show::Fingerprint(key);
-  std::erase(name, ' ');
-  return name + ".pub";
-}
-
 }  // namespace
 
 InstallService::InstallService(ServicePlaces places, Folder& folder, const board::Board& board,
@@ -177,7 +170,9 @@ void InstallService::ListAnew() {
 
 void InstallService::Accept(const Choosable& taken) {
   if (taken.kind == Choosable::Kind::kShow) return Install(taken);
-  if (taken.kind == Choosable::Kind::kKey) return AcceptKey(taken);
+  if (taken.kind == Choosable::Kind::kKey) return AskForKey(taken);
+  if (taken.kind == Choosable::Kind::kTrust || taken.kind == Choosable::Kind::kDistrust)
+    return AnswerForKey(taken);
   if (taken.kind == Choosable::Kind::kBack) return GoBack(taken);
   if (taken.kind == Choosable::Kind::kUpdate || taken.kind == Choosable::Kind::kRestart)
     return CallUpdate(taken);
@@ -220,17 +215,6 @@ void InstallService::TellStage() {
 
 std::uint64_t InstallService::Told() const {
   return store::ReadTold(places_.report / kTold);
-}
-
-// The key alone is kept, as it was shown, under a name that no stick chooses.
-void InstallService::AcceptKey(const Choosable& taken) {
-  std::error_code none;
-  std::filesystem::create_directories(places_.keys, none);
-  const std::string line = show::PublicKeyLine(taken.key);
-  if (auto ok = WriteWholeFile(places_.keys / KeyName(taken.key), {AsBytes(line)}); !ok)
-    return Tell(ok.error().cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
-                taken.offer.name, ok.error().message());
-  Tell(Message::kKeyTaken, taken.offer.name, show::Fingerprint(taken.key));
 }
 
 // The name is kept: a stick that is gone can no longer be asked for it.

@@ -97,9 +97,12 @@ class InstallService {
   // Offers it, with the ways back below it, and gives how many of the stick are listed. Errors: those of
   // OffersOf.
   Result<std::size_t> List(const std::filesystem::path& stick);
-  // What the menu gave: a show is begun, a key is kept at once.
+  // What the menu gave: a show is begun; of a key it is asked whether it is trusted.
   void Accept(const Choosable& taken);
-  void AcceptKey(const Choosable& taken);
+  void AskForKey(const Choosable& taken);
+  void AnswerForKey(const Choosable& taken);
+  // Keeps a key that is trusted from now on. Errors: those of WriteWholeFile.
+  Result<void> KeepKey(const show::PublicKey& key) const;
   // Chooses a show that is on the box; the stage is told.
   void GoBack(const Choosable& taken);
   void Install(const Choosable& taken);

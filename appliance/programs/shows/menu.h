@@ -17,7 +17,8 @@ namespace kaori::shows {
 // One thing that can be taken: a show, a key of somebody's whose shows the box shall play, a show that is on
 // the box already, a support file or a backup, which go the other way, a backup that is brought, what a restore
 // took away, the list of settings, one of them, a value of it, settings of a file, those before the last change, an
-// update of the box, the restart that tries one, and the two answers to what a restore and other settings ask.
+// update of the box, the restart that tries one, the two answers to what a restore and other settings ask, and those to
+// whether a key is trusted.
 struct Choosable {
   enum class Kind : std::uint8_t {
     kShow,
@@ -35,14 +36,17 @@ struct Choosable {
     kUpdate,
     kRestart,
     kYes,
-    kNo
+    kNo,
+    kTrust,
+    kDistrust
   } kind = Kind::kShow;
   Offer offer;
   // "48 MB", a key's fingerprint, or what an update says of itself.
   std::string remark;
   // Of a key: what is taken is what was shown, whatever the stick says later.
   show::PublicKey key{};
-  // Of a show that is on the box: as in store::Choice. Of a setting, and of a value: the setting's name.
+  // Of a show that is on the box: as in store::Choice. Of a setting, and of a value: the setting's name. Of an answer for a key: the
+  // name of its file.
   std::string id{};
 };
 

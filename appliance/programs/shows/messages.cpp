@@ -20,6 +20,8 @@ constexpr std::array<Row, kMessageCount> kTable{{
     {"it is on the box; the face changes to it in a moment", "入りました。まもなくこのショーになります"},
     {"it is on the box and plays now", "このショーを再生しています"},
     {"it is on the box already and is the chosen show", "すでに入っていて、選ばれています"},
+    {"this box would play all shows of this key; compare its digits with its owner's",
+     "この鍵のショーがすべて再生できるようになります。持ち主の英数字と照合してください"},
     {"this key is on the box now: shows that it signed will play",
      "鍵が入りました。この鍵で署名したショーを再生できます"},
     {"the support file is being written; leave the stick where it is",

@@ -29,7 +29,9 @@ enum class Message : std::uint8_t {
   kPlays,
   // It is what is chosen, and whole.
   kAlreadyThere,
-  // A public key was kept: shows that it signed will play.
+  // Shows that a public key signed would play: is that wanted?
+  kAskKey,
+  // The key was kept: they will.
   kKeyTaken,
   // The support file is on its way to the stick.
   kWriting,
@@ -101,7 +103,7 @@ enum class Message : std::uint8_t {
   // A settings file that the box would not start with as it is meant.
   kFaultySettings,
 };
-inline constexpr std::size_t kMessageCount = 48;
+inline constexpr std::size_t kMessageCount = 49;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

@@ -33,9 +33,33 @@ TEST_F(ServiceTest, ATheatresKeyIsTakenFromTheStickAndThenItsShow) {
   Strike(board::key::k1);
   EXPECT_THAT(Play(1s), HasSubstr("guest: this box does not trust its signer"));
   Strike(board::key::k1 + 1);
-  EXPECT_THAT(Play(1s), HasSubstr("this key is on the box now"));
+  const std::string asked = Play(1s);
+  EXPECT_THAT(asked, HasSubstr("theatre: " + std::string(Words(Message::kAskKey, Language::kEnglish))));
+  EXPECT_THAT(asked, HasSubstr("> 1. leave this key out"));
+  EXPECT_THAT(asked, HasSubstr("key theatre  " + show::Fingerprint(theatre_.public_key())));
+  EXPECT_FALSE(fs::exists(folder_ / "settings/keys")) << "nobody has agreed";
+  Strike(board::key::k1 + 1);
+  EXPECT_THAT(Play(1s), HasSubstr("theatre: this key is on the box now"));
   Strike(board::key::k1);
   EXPECT_THAT(Play(1s), HasSubstr("guest: it is on the box; the face changes to it"));
+}
+
+TEST_F(ServiceTest, AKeyThatIsLeftOutAndOneWhoseStickIsPulledAreNotTaken) {
+  PutOnStick("guest", &theatre_);
+  ASSERT_TRUE(SaveKey(theatre_, folder_ / "stick" / "theatre"));
+  plugged_ = true;
+  Play(1s);
+  Strike(board::key::k1 + 1);
+  Play(1s);
+  Strike(board::key::k1);
+  EXPECT_THAT(Play(1s), HasSubstr("the box stays as it is"));
+  Strike(board::key::k1 + 1);
+  EXPECT_THAT(Play(1s), HasSubstr("yes, trust this key")) << "the stick's list had its numbers again";
+  plugged_ = false;
+  EXPECT_THAT(Play(1s), ::testing::Not(HasSubstr("yes, trust this key")));
+  Strike(board::key::k1 + 1);
+  Play(1s);
+  EXPECT_FALSE(fs::exists(folder_ / "settings/keys"));
 }
 
 TEST_F(ServiceTest, WhoeverPressesAgainWhileItIsCopiedTakesNothingMore) {
@@ -116,6 +140,8 @@ TEST_F(ServiceTest, AKeyIsTakenAsItWasShownThoughTheStickSaysAnotherLater) {
   fs::remove(folder_ / "stick" / "theatre");
   ASSERT_TRUE(SaveKey(other, folder_ / "stick" / "theatre"));
   Strike(board::key::k1);
+  EXPECT_THAT(Play(1s), HasSubstr(show::Fingerprint(theatre_.public_key())));
+  Strike(board::key::k1 + 1);
   EXPECT_THAT(Play(1s), HasSubstr(show::Fingerprint(theatre_.public_key())));
   const auto kept = show::ReadPublicKeys({folder_ / "settings/keys"});
   ASSERT_TRUE(kept);

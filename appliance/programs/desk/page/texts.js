@@ -202,6 +202,8 @@ const kLines = {
   'settings of this box': 'この箱の設定',
   'leave the settings as they are': '設定はそのままにする',
   'leave the box as it is': '箱はそのままにする',
+  'leave this key out': 'この鍵は入れない',
+  'yes, trust this key': 'はい、この鍵を入れる',
   'yes, change them': 'はい、変更する',
   'yes, restore this': 'はい、復元する',
   'profile': '使い方 (profile)',
