@@ -145,28 +145,32 @@ void BackgroundLines::DriveOutputs() {
 }
 
 // The kernel keeps a bounded number of edges: what it lost shows in the levels, which are asked for until they are known. What is made up
-// of them is stamped by the time before, so that no edge that comes meanwhile is older.
+// of them is stamped by the time before, so that no edge that comes meanwhile is older; and an edge that has come meanwhile says when
+// its line changed, which the levels do not.
 Result<void> BackgroundLines::ReadLines() {
-  auto edge = lines_->ReadEdge();
-  for (int n = 0; edge && n < kReadAtOnce; ++n) {
-    wants_levels_ = true;
-    NoteAnswer();
-    Give(*edge);
-    edge = lines_->ReadEdge();
-  }
-  // There may be more, which come before the levels.
-  if (edge) {
-    Give(*edge);
+  for (int n = 0; n < kReadAtOnce; ++n) {
+    if (const auto edge = lines_->ReadEdge(); edge) {
+      wants_levels_ = true;
+      NoteAnswer();
+      Give(*edge);
+      continue;
+    } else if (edge.error().cause != std::errc::resource_unavailable_try_again) {
+      return tl::unexpected(edge.error());
+    }
+    if (!wants_levels_) return {};
+    const Time before = clock_.now();
+    const auto levels = lines_->Levels();
+    if (!levels) return tl::unexpected(levels.error());
+    if (const auto meanwhile = lines_->ReadEdge()) {
+      Give(*meanwhile);
+      continue;
+    }
+    wants_levels_ = false;
+    for (std::uint32_t line = 0; line < kLevelBits; ++line)
+      Give({.at = before, .line = line, .active = (*levels >> line & 1U) != 0});
     return {};
   }
-  if (edge.error().cause != std::errc::resource_unavailable_try_again) return tl::unexpected(edge.error());
-  if (!wants_levels_) return {};
-  const Time before = clock_.now();
-  const auto levels = lines_->Levels();
-  if (!levels) return tl::unexpected(levels.error());
-  wants_levels_ = false;
-  for (std::uint32_t line = 0; line < kLevelBits; ++line)
-    Give({.at = before, .line = line, .active = (*levels >> line & 1U) != 0});
+  ::eventfd_write(wake_.get(), 1);  // There may be more; the levels come behind them.
   return {};
 }
 

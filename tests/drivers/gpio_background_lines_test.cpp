@@ -95,6 +95,19 @@ TEST_F(BackgroundLinesTest, TellOfAChangeWhoseEdgeTheKernelLost) {
   EXPECT_FALSE(IsTold());
 }
 
+TEST_F(BackgroundLinesTest, TellOfAChangeWhileTheLevelsAreReadByItsEdgeWhichSaysWhen) {
+  const Time at = clock_.now() + std::chrono::milliseconds(3);
+  chip_.SwitchWhileAsked({.at = at, .line = 0, .active = true});
+  chip_.Switch(1, true, clock_.now());
+  EXPECT_EQ(Await()->line, 1U);
+  const auto edge = Await();
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->line, 0U);
+  EXPECT_EQ(edge->at, at);
+  EXPECT_EQ(lines_->Levels(), 3U);
+  EXPECT_FALSE(IsTold());
+}
+
 TEST_F(BackgroundLinesTest, TellOfEachFaultAndGoOn) {
   for (int n = 0; n < 3; ++n) {
     chip_.FailOnce();

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "drivers/base/clock.h"
@@ -38,6 +39,11 @@ class SlowChip {
   void SwitchUnseen(std::uint32_t line, bool active) {
     const std::scoped_lock lock(mutex_);
     SetLevel(line, active);
+  }
+  // An edge that comes when the levels are asked for next, before they are given.
+  void SwitchWhileAsked(const ports::GpioEdge& edge) {
+    const std::scoped_lock lock(mutex_);
+    comes_meanwhile_ = edge;
   }
   void Unplug() {
     const std::scoped_lock lock(mutex_);
@@ -104,6 +110,7 @@ class SlowChip {
   UniqueFd event_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
   std::deque<ports::GpioEdge> edges_;
   std::uint32_t levels_ = 0;
+  std::optional<ports::GpioEdge> comes_meanwhile_;
   int waiting_ = 0;
   bool lamp_ = false, is_gone_ = false, is_held_ = false, fails_ = false, fails_always_ = false;
 };
@@ -117,6 +124,10 @@ class SlowLines final : public ports::GpioLines {
     const auto lock = chip_.Enter();
     if (chip_.is_gone_) return Gone();
     if (chip_.fails_always_) return Failed();
+    if (const auto edge = std::exchange(chip_.comes_meanwhile_, std::nullopt)) {
+      chip_.edges_.push_back(*edge);
+      chip_.SetLevel(edge->line, edge->active);
+    }
     return chip_.levels_;
   }
   Result<ports::GpioEdge> ReadEdge() override {
