@@ -31,8 +31,9 @@ set(ENV{PKG_CONFIG_PATH} "")
 set(ENV{PKG_CONFIG_LIBDIR} ${sysroot}/usr/lib/aarch64-linux-gnu/pkgconfig:${sysroot}/usr/share/pkgconfig)
 set(ENV{PKG_CONFIG_SYSROOT_DIR} ${sysroot})
 
-# Tests run in user-mode emulation.
+# Tests run in user-mode emulation. Without a space of addresses of its own (-R), QEMU gives memory that a program asks for at an address
+# that is taken anywhere in that of this machine: further away than code that llvmpipe makes can reach its own data.
 find_program(KAORI_QEMU NAMES qemu-aarch64-static qemu-aarch64 DOC "Runs programs of arm64, for the tests")
 if(KAORI_QEMU)
-  set(CMAKE_CROSSCOMPILING_EMULATOR ${KAORI_QEMU} -L ${sysroot})
+  set(CMAKE_CROSSCOMPILING_EMULATOR ${KAORI_QEMU} -R 0x1000000000 -L ${sysroot})
 endif()
