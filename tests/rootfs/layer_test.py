@@ -56,7 +56,7 @@ SEEDED = (
 )
 # The same, of what only the grammar of recipes finds, and of what only kas's schema does.
 OF_GRAMMAR = (
-    (layer.RECIPE, "inherit cmake", "inherit = cmake", "kaori-box_git.bb:16: not what bitbake's grammar expects"),
+    (layer.RECIPE, "inherit cmake", "inherit = cmake", "kaori-box_git.bb:19: not what bitbake's grammar expects"),
     (layer.RECIPE, 'PV = "0.2+git"', 'PV = "0.2+git', "not what bitbake's grammar expects"),
     (layer.LAYER / "conf/layer.conf", 'BBPATH .= ":${LAYERDIR}"', 'BBPATH .=', "layer.conf:3: not what bitbake's grammar expects"),
 )
