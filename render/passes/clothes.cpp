@@ -93,6 +93,7 @@ void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
   gl::Program::Set(variant.collar, CollarInPicture(dressing, frame));
   gl::Program::Set(variant.neck, glm::vec3(dressing.neck_m, dressing.sinks_m));
   for (const WornGarments& worn : dressing.worn()) {
+    if (worn.from >= worn.to) continue;  // They lend their colour alone.
     gl::Program::Set(variant.fit, glm::vec4(worn.from, worn.to, worn.rise_m, worn.widen_m));
     const auto outlines = Outlines(worn.outline, dressing.outline);
     gl::Program::Set(variant.outline, std::span<const glm::vec4>(outlines));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
 namespace kaori::passes {
 namespace {
@@ -16,14 +17,22 @@ constexpr float kBelowCollar_m = 0.020F;
 constexpr float kBeforeNeck_m = 0.030F;
 // With so much of a face that has no neck, clothes have sunk out of the picture, by kSunk_m. The neck
 // withdraws into the head sooner than that (render/face/composer.cpp).
-constexpr float kGoneWithNeckless = 0.3F;
+constexpr float kGoneWithNeckless = 0.15F;
 constexpr float kSunk_m = 0.32F;
+// While the garments that come have less than the one share, and from the other share on, those of one face alone are seen.
+// A last piece about the neck would hang before a neckline that opens below it.
+constexpr float kComesFrom = 0.3F;
+constexpr float kHasComeAt = 0.7F;
+// About the neck: so far from its middle a neckline is measured.
+constexpr float kNeckline_m = 0.08F;
 // A face with less weight than this dresses nobody: one step of 8 bits.
 constexpr float kUndressed = 0.004F;
 
+// Over even steps from the middle outwards.
+using Heights = std::array<float, Outline::kSamples>;
+
 // Of an edge of cloth, what it adds to the highest points at even steps from the middle; both halves count as one.
-void RaiseAlong(const glm::vec3& a, const glm::vec3& b, float half_width_m,
-                std::array<float, Outline::kSamples>& highest) {
+void RaiseAlong(const glm::vec3& a, const glm::vec3& b, float half_width_m, Heights& highest) {
   for (const float side : {-1.0F, 1.0F}) {
     const float from = side * a.x, to = side * b.x;
     for (std::size_t i = 0; i < highest.size(); ++i) {
@@ -33,6 +42,22 @@ void RaiseAlong(const glm::vec3& a, const glm::vec3& b, float half_width_m,
       highest[i] = std::max(highest[i], a.y + share * (b.y - a.y));
     }
   }
+}
+
+// Steps that no edge crosses are as the one before.
+Heights BelowCollar(const Heights& highest, float collar_m) {
+  Heights below{};
+  float below_m = 0;
+  for (std::size_t i = 0; i < highest.size(); ++i) {
+    if (std::isfinite(highest[i])) below_m = collar_m - highest[i];
+    below[i] = below_m;
+  }
+  return below;
+}
+
+// Where the border lies of garments that have this share, 0..1, to those that are laid outside of them.
+float BorderAt(float share) {
+  return std::clamp((share - kComesFrom) / (kHasComeAt - kComesFrom), 0.0F, 1.0F);
 }
 
 void Add(const Outline& outline, float weight, Outline& to) {
@@ -112,7 +137,9 @@ void Necks::MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& 
 // heights over even steps from the middle, which mix as numbers do; what mixes is what an audience sees from the front, since
 // clothes do not turn with the head.
 //
-// The highest point of all edges at each step. Steps that no edge crosses are as the one before.
+// The highest point of all edges at each step.
+//
+// The neckline is the same of what lies before the neck, and close to it: a collar's back says nothing of how it opens.
 void Necks::MeasureOutline(const face::Cast& cast, const face::Face& face, Neck& neck) {
   Outline& outline = neck.outline;
   std::vector<const face::Prop*> clothes;
@@ -123,26 +150,42 @@ void Necks::MeasureOutline(const face::Cast& cast, const face::Face& face, Neck&
     for (const face::PropVertex& v : prop.vertices)
       outline.half_width_m = std::max(outline.half_width_m, std::abs(v.position.x));
   }
-  std::array<float, Outline::kSamples> highest{};
+  Heights highest, before;
   highest.fill(-std::numeric_limits<float>::infinity());
+  before.fill(-std::numeric_limits<float>::infinity());
   for (const face::Prop* prop : clothes) {
     for (const face::Triangle& triangle : prop->triangles)
-      for (std::size_t i = 0; i < triangle.size(); ++i)
-        RaiseAlong(prop->vertices[triangle[i]].position,
-                   prop->vertices[triangle[(i + 1) % triangle.size()]].position, outline.half_width_m,
-                   highest);
+      for (std::size_t i = 0; i < triangle.size(); ++i) {
+        const glm::vec3& a = prop->vertices[triangle[i]].position;
+        const glm::vec3& b = prop->vertices[triangle[(i + 1) % triangle.size()]].position;
+        RaiseAlong(a, b, outline.half_width_m, highest);
+        if (std::min(a.z, b.z) > neck.end_m.z) RaiseAlong(a, b, kNeckline_m, before);
+      }
   }
-  float below_m = 0;
-  for (std::size_t i = 0; i < highest.size(); ++i) {
-    if (std::isfinite(highest[i])) below_m = neck.collar_m - highest[i];
-    outline.below_collar_m[i] = below_m;
-  }
+  outline.below_collar_m = BelowCollar(highest, neck.collar_m);
+  for (const float below_m : BelowCollar(before, neck.collar_m))
+    neck.opens_m += below_m / static_cast<float>(Outline::kSamples);
+}
+
+// Where one garment is open and the other is closed about the neck, the closed one's last piece would hang before the
+// opening: so what opens most is laid first, from the collar on. Of those alike, as in the cast.
+face::Terms Necks::MostOpenFirst(const face::Terms& faces) const {
+  const face::Terms sorted = InOrderOfCast(faces);
+  std::array<face::Term, face::Terms::kCapacity> terms{};
+  std::ranges::copy(sorted, terms.begin());
+  const auto end = terms.begin() + sorted.size();
+  std::sort(terms.begin(), end, [this](const auto& a, const auto& b) {
+    return std::pair(-necks_[a.index].opens_m, a.index) < std::pair(-necks_[b.index].opens_m, b.index);
+  });
+  face::Terms ordered;
+  for (auto term = terms.begin(); term != end; ++term) ordered.Push(term->index, term->weight);
+  return ordered;
 }
 
 // A face without clothes either has no neck, and then all sink, or it bares its neck from below.
 Dressing Necks::Dress(const face::Terms& faces) const {
   Dressing d;
-  const face::Terms sorted = InOrderOfCast(faces);
+  const face::Terms sorted = MostOpenFirst(faces);
   float dressed = 0;
   float half_width_m = 0;
   float radius_m = 0;
@@ -176,21 +219,25 @@ Dressing Necks::Dress(const face::Terms& faces) const {
   if (sunk >= 1) return d;
   d.sinks_m = neckless < kUndressed ? 0 : kSunk_m * sunk * std::sqrt(sunk);
   float laid = 0;
+  const float covered = dressed / (dressed + bare);
   for (const face::Term& t : sorted) {
     const Neck& neck = necks_[t.index];
     if (!neck.dressed || t.weight < kUndressed) continue;
-    const float from = laid / (dressed + bare);
+    const float from = covered * BorderAt(laid / dressed);
     laid += t.weight;
     d.garments[d.count++] = {t.index,
                              from,
-                             laid / (dressed + bare),
+                             covered * BorderAt(laid / dressed),
                              d.collar_m - neck.collar_m,
                              half_width_m - neck.half_width_m,
                              t.weight / dressed,
                              neck.outline};
   }
-  // Faces of next to no weight leave no gap at the lower edge.
-  if (d.count > 0 && bare < kUndressed) d.garments[d.count - 1].to = 2;
+  // The outermost that is seen leaves no gap at the lower edge.
+  const auto worn = std::span(d.garments).first(d.count);
+  const auto outermost =
+      std::find_if(worn.rbegin(), worn.rend(), [](const auto& w) { return w.from < w.to; });
+  if (outermost != worn.rend() && bare < kUndressed) outermost->to = 2;
   return d;
 }
 

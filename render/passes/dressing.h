@@ -27,7 +27,8 @@ struct Outline {
 struct WornGarments {
   std::uint16_t face = 0;
   // Of the order in which garments replace each other, 0 at the collar .. 1 at the lower edge of the picture:
-  // they are seen where the order lies within [from, to), and no other garment is.
+  // they are seen where the order lies within [from, to), and no other garment is; empty where they lend their colour
+  // alone.
   float from = 0;
   float to = 1;
   // So much higher than they were sewn, and so much wider about the neck.
@@ -40,8 +41,8 @@ struct WornGarments {
   Outline outline{};
 };
 
-// All garments of a frame, in the order of their faces in the cast, whatever the order of the fade: a call
-// back to the face before turns nothing round.
+// All garments of a frame, those that open most about the neck first, whatever the order of the fade: a call back to the
+// face before turns nothing round.
 struct Dressing {
   std::array<WornGarments, face::Terms::kCapacity> garments{};
   std::size_t count = 0;
@@ -80,10 +81,14 @@ class Necks {
     glm::vec3 end_m{};
     float end_radius_m = 0;
     Outline outline{};
+    // How far below the collar clothes begin before the neck, the mean about it.
+    float opens_m = 0;
   };
   static void MeasureEnd(const face::Topology& topology, const face::Face& face, Neck& neck);
   static void MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& neck);
   static void MeasureOutline(const face::Cast& cast, const face::Face& face, Neck& neck);
+
+  face::Terms MostOpenFirst(const face::Terms& faces) const;
 
   std::vector<Neck> necks_;
 };

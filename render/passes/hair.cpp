@@ -32,7 +32,7 @@ constexpr float kBeyondTips = 1.35F;
 // What is gathered sinks into the head so many times as deep as hard things do, so that all of it goes.
 constexpr float kGatheredSinks = 2;
 // Between the shortest and the longest lock of a cut that grows.
-constexpr float kApart = 0.6F;
+constexpr float kApart = 0.2F;
 // The order of hair runs from the one to the other.
 constexpr glm::vec3 kCrown_m{0, 0.125F, 0};
 constexpr glm::vec3 kTips_m{0, -0.09F, 0};

@@ -25,6 +25,7 @@ uniform highp vec4 motion[20];   // To the head of the frame, see head_fit.h.
 out float left_of;               // What is left of the lock here: below 0 nothing.
 const vec3 kMiddle = vec3(0.0, 0.03, -0.01);
 const float kWhole = 1.35;       // As kBeyondTips in hair.cpp.
+const float kTucked = kWhole - 1.0;   // Of a lock, so that none of whole hair is.
 
 // How far this lock reaches.
 float Reach() {
@@ -32,10 +33,11 @@ float Reach() {
   return kWhole * clamp(share * (1.0 + grown.z) - grown.z * lock.w, 0.0, 1.0);
 }
 
-// Hair that has not its whole length lies down towards its end, and at last sinks into the scalp. In between it stands off
-// a little: the scalp that faces have together is not quite where the motion says.
+// Hair that has not its whole length is tucked into the head over the last part of each lock, so that no end of it hangs in
+// the air, and at last sinks into the scalp. In between it stands off a little: the scalp that faces have together is not
+// quite where the motion says.
 vec3 Bedded(vec3 p, float reach) {
-  float sunk = 0.025 * smoothstep(reach - 0.20, reach, lock.x) + 0.16 * (1.0 - smoothstep(0.0, 0.4, reach));
+  float sunk = 0.45 * smoothstep(reach - kTucked, reach, lock.x) + 0.22 * (1.0 - smoothstep(0.05, 0.55, reach));
   float length_left = min(reach / kWhole, 1.0);
   sunk -= 0.10 * length_left * (1.0 - length_left);
   return mix(p, kMiddle, sunk + 0.22 * grown.y);
@@ -53,6 +55,15 @@ vec3 Fitted(vec3 p) {
   return p + motion[19].xyz * (q.x * q.y * q.z);
 }
 #endif
+
+// How open a point lies. What lay below longer hair is uncovered as that withdraws: it would be a dark band.
+float Open() {
+#ifdef GROWTH
+  return mix(0.85, lock.z, smoothstep(0.6, 1.0, grown.x / kWhole));
+#else
+  return lock.z;
+#endif
+}
 
 // The lower and further along, the more a point swings. Over the forehead, to the left and to the right in times of their own; between
 // them there is no edge at which hair would part.
@@ -82,11 +93,11 @@ void main() {
   in_camera = p;
   facing = n;
   to_tip = t;
-  open_number = vec2(lock.z, lock.w);
+  open_number = vec2(Open(), lock.w);
 #else
   vec3 toward_eye = normalize(-p);
   float facing = clamp(dot(n, toward_eye), 0.0, 1.0);
-  float open = lock.z;
+  float open = Open();
   float diffuse = Ramp(dot(n, key.xyz), 0.4);
   float along_h = dot(t, normalize(key.xyz + toward_eye)) + 0.10 * (lock.w - 0.5);
   float across_h = clamp(1.0 - along_h * along_h, 0.0, 1.0);

@@ -20,10 +20,12 @@ namespace {
 
 constexpr const char* kPlay = KAORI_PLAYS "/kaori.play";
 constexpr double kHz = 12;
-// Seconds into the play: the poster, its turn into the narrator, his prologue, the four styles and their
-// fades, the expressions, the kettle, the dog between two faces, the farewell.
-constexpr std::array<double, 18> kMoments_s{1.9,  4.2,  6.9,  9.5,  12.5, 16.5, 18.4, 21.3, 23.0,
-                                            26.0, 28.4, 33.0, 36.6, 39.8, 42.9, 44.1, 52.5, 57.0};
+// Seconds into the play: her hair as she becomes the poster, the poster, its turn into the narrator, his prologue, the wire
+// neck in the dark, the four styles and their fades, the expressions, hair and neck on the way to the kettle, the kettle, the
+// dog between two faces, hair and clothes as the dog leaves, the farewell.
+constexpr std::array<double, 24> kMoments_s{0.8,  1.9,  4.2,  6.9,  9.5,  12.5, 16.5, 18.4,
+                                            19.6, 21.3, 23.0, 26.0, 28.4, 33.0, 36.6, 37.6,
+                                            37.8, 39.8, 42.9, 44.1, 47.6, 48.1, 52.5, 57.0};
 
 image::Picture ToPicture(const sim::Shown& shown) {
   return {shown.width_px, shown.height_px, {shown.rgbx.begin(), shown.rgbx.end()}};

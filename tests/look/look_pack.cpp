@@ -7,7 +7,10 @@
 
 namespace kaori::tests {
 
-face::Cast ClothedCast() {
+namespace {
+
+template <class Keep>
+face::Cast CastWith(const Keep& keeps) {
   auto show = show::LoadPack(KAORI_PACK);
   if (!show) {
     Log("{}", show.error().message());
@@ -18,11 +21,21 @@ face::Cast ClothedCast() {
     texture = {.width_px = 1, .height_px = 1, .rgba = {128, 128, 128, 0}};
   }
   for (face::Prop& prop : cast.props) {
-    if (prop.part == face::Part::kClothes) continue;
+    if (keeps(prop.part)) continue;
     prop.vertices.clear();
     prop.triangles.clear();
   }
   return cast;
+}
+
+}  // namespace
+
+face::Cast ClothedCast() {
+  return CastWith([](face::Part part) { return part == face::Part::kClothes; });
+}
+
+face::Cast HairyCast() {
+  return CastWith([](face::Part part) { return part == face::Part::kClothes || part == face::Part::kHair; });
 }
 
 }  // namespace kaori::tests

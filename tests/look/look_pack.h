@@ -8,5 +8,7 @@ namespace kaori::tests {
 // The pack's cast with skins of one pixel, and of all that is worn the clothes alone. Fails the program where the
 // pack cannot be read.
 face::Cast ClothedCast();
+// The same with hair.
+face::Cast HairyCast();
 
 }  // namespace kaori::tests
