@@ -251,13 +251,15 @@ struct ClothesLook {
 };
 
 // [surface]. How the renderer lights the face: `softness` 0 .. 1 lets light wrap round it, `metal` 0 .. 1
-// mirrors the surroundings, `flat` is its one colour in the flat style. As face::SurfaceLook.
+// mirrors the surroundings, `flat` is its one colour in the flat style, `folds` 0 .. 1 is how deep its wrinkles are where
+// a graphics card draws them. As face::SurfaceLook.
 struct SurfacePaint {
   float softness = 1;
   float metal = 0;
   glm::vec3 flat{};
   float print = 0;  // 1: drawn as a poster print.
 };
+  float folds = 1;
 
 // Everything that looks/NAME.toml says.
 struct FaceLook {
