@@ -132,8 +132,9 @@ MoustacheLook ReadMoustache(Section s) {
 }
 
 ScalpLook ReadScalp(Section s) {
-  s.AllowOnly({"colour", "above", "ragged"});
-  return {Colour(s, "colour"), Pairs(s, "above"), Share(s, "ragged", 1)};
+  s.AllowOnly({"colour", "above", "ragged", "strands"});
+  return {Colour(s, "colour"), Pairs(s, "above"), Share(s, "ragged", 1),
+          s.WholeOr("strands", 0, 0, kMostHairs)};
 }
 
 }  // namespace
