@@ -81,6 +81,8 @@ struct SurfaceLook {
   glm::vec3 flat{};
   // 0..1; 1: a poster, printed with dots and few inks.
   float print = 0;
+  // 0..1: how deep wrinkles are where its skin is pressed together, in the fine qualities. 0: wood, or a child's.
+  float folds = 1;
 };
 
 // The global shape (the paper's section 3): one position for each vertex of the cage, made in a modelling

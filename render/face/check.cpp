@@ -61,6 +61,7 @@ void CheckLook(const std::string& item, const Face& face, Faults& faults) {
                            ball.glow};
   faults.Finite(item + ", its look", numbers);
   if (!Is0To1(surface.print)) faults.Add(item + ": its print is not within 0 to 1");
+  if (!Is0To1(surface.folds)) faults.Add(item + ": its folds are not within 0 to 1");
 }
 
 // Without textures at all (a cast in work) the index is not looked at.

@@ -57,11 +57,11 @@ float HairShare(const scene::Scene& s) {
   return 1 - WeightOf(s, Style::kBare) / std::max(WeightOf(s, Group::kTextured), kPainterUnseen);
 }
 
-// Of the faces that are shown, the part that is a poster's print.
-float PrintShare(const std::vector<float>& prints, const face::Terms& faces) {
-  float share = 0;
-  for (const face::Term& term : faces) share += term.weight * prints[term.index];
-  return share < kPainterUnseen ? 0.0F : std::min(share, 1.0F);
+// Of the faces that are shown, the mean of what each has.
+float MeanOf(const std::vector<float>& each, const face::Terms& faces) {
+  float mean = 0;
+  for (const face::Term& term : faces) mean += term.weight * each[term.index];
+  return mean < kPainterUnseen ? 0.0F : std::min(mean, 1.0F);
 }
 
 // Takes the value of a step that succeeded; else keeps the first error.
@@ -86,7 +86,10 @@ Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
       head_fit(std::move(prepared.head_fit)),
       appearance(cast, prepared.props),
       surface(cast, prepared.worn) {
-  for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
+  for (const face::Face& f : cast.faces) {
+    prints.push_back(f.surface.print);
+    folds.push_back(f.surface.folds);
+  }
 }
 
 // All are opened, so that all shaders are compiled by the time of the first frame.
@@ -222,11 +225,11 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   p.layer->LayBackdropAround(canvas, figure, {behind, version, MixedLightBehind(scene)});
   if (fine) p.surface.WriteFine(shape);
   if (fine && p.depths) {
-    p.surface.WriteSqueeze(p.squeeze.Between(p.rest, shape.cage));
+    p.surface.WriteSqueeze(p.squeeze.Between(p.rest, shape.cage, MeanOf(p.folds, shape.faces)));
     p.DrawShadows();
     p.ScatterLight(shape, canvas, figure.whole);
   }
-  const float print = PrintShare(p.prints, shape.faces);
+  const float print = MeanOf(p.prints, shape.faces);
   // Who has left leaves a layer without a figure, by which the others are thinned.
   float laid = 1 - scene.present;
   if (laid > kPainterUnseen) {

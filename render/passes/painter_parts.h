@@ -101,8 +101,8 @@ struct Painter::Parts {
   Squeeze squeeze;
   // The cage of the frame's faces without expressions; of the fine quality.
   std::vector<glm::vec3> rest;
-  // Of each face, how much of a poster it is.
-  std::vector<float> prints;
+  // Of each face, how much of a poster it is, and how deep its wrinkles are.
+  std::vector<float> prints, folds;
   // Where the neck bends, from the reference face.
   Neck neck;
   Necks necks;

@@ -47,8 +47,8 @@ Squeeze::Squeeze(const face::Topology& topology)
   }
 }
 
-std::span<const glm::vec2> Squeeze::Between(std::span<const glm::vec3> rest,
-                                            std::span<const glm::vec3> worn) {
+std::span<const glm::vec2> Squeeze::Between(std::span<const glm::vec3> rest, std::span<const glm::vec3> worn,
+                                            float folds) {
   std::ranges::fill(cage_, glm::vec2(0));
   for (const Edge& edge : edges_) {
     const float rest_m = glm::distance(rest[edge.from], rest[edge.to]);
@@ -58,7 +58,8 @@ std::span<const glm::vec2> Squeeze::Between(std::span<const glm::vec3> rest,
     cage_[edge.to] += shorter * edge.along;
   }
   for (std::size_t v = 0; v < cage_.size(); ++v)
-    cage_[v] = shows_[v] * glm::clamp(cage_[v] / glm::max(sum_along_[v], glm::vec2(1e-3F)), 0.0F, 1.0F);
+    cage_[v] =
+        folds * shows_[v] * glm::clamp(cage_[v] / glm::max(sum_along_[v], glm::vec2(1e-3F)), 0.0F, 1.0F);
   for (int axis = 0; axis < 2; ++axis) {
     for (std::size_t v = 0; v < cage_.size(); ++v) cage_stream_[v] = cage_[v][axis];
     face::ApplyToValues(topology_.fine.attributes_from_cage, cage_stream_.data(), fine_stream_.data());

@@ -20,8 +20,10 @@ class Squeeze {
   explicit Squeeze(const face::Topology& topology);
 
   // One pressure for each vertex of the fine mesh. `rest` and `worn` are cages of the same faces, without and with
-  // expressions, in metres, of Topology::vertex_count each. Holds until the next call. Allocates nothing.
-  std::span<const glm::vec2> Between(std::span<const glm::vec3> rest, std::span<const glm::vec3> worn);
+  // expressions, in metres, of Topology::vertex_count each; `folds` as face::SurfaceLook, all pressures are times it. Holds until
+  // the next call. Allocates nothing.
+  std::span<const glm::vec2> Between(std::span<const glm::vec3> rest, std::span<const glm::vec3> worn,
+                                     float folds);
 
  private:
   // An edge of the cage, and how much of it runs along u and along v; both together are 1.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -40,9 +42,7 @@ bool IsBrow(const appearance::BrowLook& brows, glm::vec2 uv_cm) {
   return false;
 }
 
-face::Texture PaintFeatures(const face::Topology& topology, const appearance::BrowLook& brows) {
-  const auto attributes = sculpt::PaintAttributesOf(sculpt::BuildCage());
-  const appearance::Atlas atlas = appearance::UnrollSurface(topology, attributes, kTexture_px);
+face::Texture PaintFeatures(const appearance::Atlas& atlas, const appearance::BrowLook& brows) {
   std::vector<std::uint8_t> rgba;
   for (const appearance::Texel& texel : atlas.texels) {
     const bool inside = texel.bag > 0.5F;
@@ -56,21 +56,25 @@ face::Texture PaintFeatures(const face::Topology& topology, const appearance::Br
 
 }  // namespace
 
-face::Cast FeatureCast() {
+face::Cast FeatureCast(std::span<const std::string_view> faces) {
   face::Cast cast = std::move(Must(show::LoadPack(KAORI_PACK)).cast);
-  const auto look = Must(appearance::ReadLook(KAORI_SHOW "/looks/" + cast.faces[0].name + ".toml"));
-  const auto own = static_cast<std::size_t>(cast.faces[0].surface.texture);
   for (face::Texture& texture : cast.textures)
     texture = {.width_px = 1, .height_px = 1, .rgba = {0, 0, 0, 0}};
-  cast.textures[own] = PaintFeatures(cast.topology, look.brows);
+  const auto attributes = sculpt::PaintAttributesOf(sculpt::BuildCage());
+  const appearance::Atlas atlas = appearance::UnrollSurface(cast.topology, attributes, kTexture_px);
+  for (face::Face& face : cast.faces) {
+    if (std::ranges::find(faces, face.name) == faces.end()) continue;
+    const auto look = Must(appearance::ReadLook(KAORI_SHOW "/looks/" + face.name + ".toml"));
+    cast.textures[static_cast<std::size_t>(face.surface.texture)] = PaintFeatures(atlas, look.brows);
+    face.surface.print = 0;
+    face.eye_look.lash_length_m = 0;
+    face.eye_look.iris = glm::vec3(1);
+    face.eye_surface = {.white = glm::vec3(1), .veins = 0, .pupil = 0, .limbus = 0, .spokes = 0, .wet = 0};
+  }
   for (face::Prop& prop : cast.props) {
     const bool teeth = prop.part == face::Part::kUpperTeeth || prop.part == face::Part::kLowerTeeth;
     prop.colour = teeth || prop.part == face::Part::kTongue ? glm::vec3(0, 0, 1) : glm::vec3(0);
   }
-  face::Face& face = cast.faces[0];
-  face.eye_look.lash_length_m = 0;
-  face.eye_look.iris = glm::vec3(1);
-  face.eye_surface = {.white = glm::vec3(1), .veins = 0, .pupil = 0, .limbus = 0, .spokes = 0, .wet = 0};
   return cast;
 }
 

@@ -129,6 +129,8 @@ const Fault kFaults[] = {
      "prop \"bob\": a vertex holds what is not a number"},
     {"ExpressionOfNoKnownKind", [](face::Cast& c) { c.expressions[2].kind = face::ExpressionKind{3}; },
      "expression \"surprised\": is of a kind that does not exist"},
+    {"FaceFoldedTwice", [](face::Cast& c) { c.faces[1].surface.folds = 2; },
+     "face \"round\": its folds are not within 0 to 1"},
     {"TeethAreNoNumber", [](face::Cast& c) { c.faces[1].mouth.lower_teeth = kNan; },
      "face \"round\", its look: 1 values"},
     {"IrisIsNoNumber", [](face::Cast& c) { c.faces[3].eye_look.iris.y = kNan; },

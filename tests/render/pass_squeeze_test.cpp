@@ -19,13 +19,13 @@ class SqueezeTest : public ::testing::Test {
   SqueezeTest() : cast_(tests::DefaultCast()), composer_(cast_), squeeze_(cast_.topology) {}
 
   // Of the first face with this expression; all of the fine mesh.
-  std::vector<glm::vec2> With(std::string_view expression) {
+  std::vector<glm::vec2> With(std::string_view expression, float folds = 1) {
     face::Weights weights;
     weights.faces.Push(0, 1);
     const auto rest = Cage(weights);
     const auto found = std::ranges::find(cast_.expressions, expression, &face::Expression::name);
     weights.expressions.Push(static_cast<std::uint16_t>(found - cast_.expressions.begin()), 1);
-    const auto pressed = squeeze_.Between(rest, Cage(weights));
+    const auto pressed = squeeze_.Between(rest, Cage(weights), folds);
     return {pressed.begin(), pressed.end()};
   }
   std::vector<glm::vec3> Cage(const face::Weights& weights) {
@@ -64,13 +64,18 @@ TEST_F(SqueezeTest, OfAFrownFoldsTheSkinBetweenTheBrowsUpright) {
   EXPECT_GT(Near(With("angry"), "G").x, 0.05F);
 }
 
+TEST_F(SqueezeTest, IsAsMuchAsTheFacesFoldsSay) {
+  EXPECT_FLOAT_EQ(Near(With("surprised", 0.5F), "F1").y, 0.5F * Near(With("surprised"), "F1").y);
+  for (const glm::vec2& pressed : With("surprised", 0)) EXPECT_EQ(pressed, glm::vec2(0));
+}
+
 TEST_F(SqueezeTest, IsNoneOnLidsThatShut) {
   face::Weights open;
   open.faces.Push(0, 1);
   face::Weights shut = open;
   shut.lids_shut = {1, 1};
   const auto rest = Cage(open);
-  const auto pressed = squeeze_.Between(rest, Cage(shut));
+  const auto pressed = squeeze_.Between(rest, Cage(shut), 1);
   const face::SparseRows& rows = cast_.topology.fine.attributes_from_cage;
   for (std::size_t v = 0; v < rows.rows(); ++v) {
     if (rows.row_start[v + 1] != rows.row_start[v] + 1) continue;

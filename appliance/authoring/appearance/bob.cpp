@@ -21,8 +21,9 @@ constexpr float kFringeOverlap_deg = 3;
 struct Tip {
   float from_deg = 0;
   float to_deg = 0;
-  float drop_cm = 0;   // The tip hangs this far below the notches beside it.
-  float lean_deg = 0;  // Its end lies to one side.
+  float drop_cm = 0;  // The tip hangs this far below the notches beside it.
+  float lean_deg =
+      0;  // Its end lies to one side; far less than its width, or the forehead shows between two.
 };
 
 // Tips of uneven widths, over 2 * half_deg in all: even ones look like a comb.
@@ -34,7 +35,7 @@ std::array<Tip, kTips> ShareOutTips(float half_deg, Dice& dice) {
   float at_deg = -half_deg;
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const float width_deg = 2 * half_deg * widths[i] / sum;
-    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.2F, 0.6F), 0.5F * width_deg * dice.Spread()};
+    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.2F, 0.6F), 0.22F * width_deg * dice.Spread()};
     at_deg += width_deg;
   }
   return tips;

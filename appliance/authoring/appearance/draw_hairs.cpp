@@ -95,6 +95,23 @@ Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
           look.colour * dice.Between(0.7F, 1.5F)};
 }
 
+// A strand of combed hair, as a brush paints it: it keeps its distance to the edge below it, and comes nearer at its end.
+Stroke ScalpStrand(const ScalpLook& look, Dice& dice) {
+  constexpr float kHighest_cm = 5;
+  const float u = 6.5F * dice.Unit();
+  const float above_cm = -0.22F + kHighest_cm * dice.Unit();
+  const float reach_cm = dice.Between(1.2F, 2.6F);
+  const auto at = [&](float on, float fallen) {
+    return glm::vec2(u + on, Table(look.above_cm, u + on) + above_cm * (1 - fallen));
+  };
+  Stroke strand{at(0, 0), at(0.5F * reach_cm, 0), at(reach_cm, 0.12F)};
+  strand.half_width_cm = dice.Between(0.02F, 0.045F);
+  const bool loose = above_cm < 0;  // On the skin: dark there.
+  strand.opacity = loose ? 0.8F : dice.Between(0.4F, 0.9F);
+  strand.colour = look.colour * (loose ? 1.0F : dice.Between(0.6F, 5.0F));
+  return strand;
+}
+
 // Freckles fade to either side of their middle.
 constexpr float kFrecklesFade_cm = 2.6F;
 
@@ -143,6 +160,7 @@ void DrawHairline(Canvas& canvas, const ScalpLook& look) {
   for (const float side : {1.0F, -1.0F}) {
     Dice dice(side > 0 ? 31 : 32);
     for (int i = 0; i < hairs; ++i) DrawOnSide(canvas, HairlineHair(look, dice), side);
+    for (int i = 0; i < look.strands; ++i) DrawOnSide(canvas, ScalpStrand(look, dice), side);
   }
 }
 

@@ -39,12 +39,14 @@ int RingsOf(const Points& path) {
   return 5 * static_cast<int>(path.size()) + 4;
 }
 
-// Ten columns round it: a rod is a few pixels wide on a screen.
+// Columns round a rod or a ring: both are a few pixels wide on a screen.
+constexpr int kRodColumns = 8;
+
 void AddRod(ClothMesh& mesh, const Points& path, float radius_cm) {
   AddTube(mesh, {.path = [&](float t) { return OnCurve(path, t); },
                  .radius_cm = [=](float) { return radius_cm; },
                  .rings = RingsOf(path),
-                 .columns = 10});
+                 .columns = kRodColumns});
 }
 
 // A ring as two halves that overlap by 1 %, so that no tube bites its own tail: a tube's ends must not meet.
@@ -61,7 +63,7 @@ void AddHoop(ClothMesh& mesh, const GearLook& look, glm::vec3 centre_cm, glm::ve
                        },
                    .radius_cm = [&](float) { return look.thickness_cm; },
                    .rings = 26,
-                   .columns = 10});
+                   .columns = kRodColumns});
   }
 }
 

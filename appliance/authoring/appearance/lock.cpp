@@ -1,7 +1,6 @@
 #include "appliance/authoring/appearance/lock.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -11,8 +10,11 @@
 namespace kaori::appearance {
 namespace {
 
-// Round the lens: five steps over its face, two behind, which nobody sees.
-constexpr std::array<float, 7> kSection_deg{0, 36, 72, 108, 144, 180, 270};
+// Point i round the lens, radians: from edge to edge over its face, and one behind, which nobody sees.
+float RoundLens(const LockShape& s, int i) {
+  return i > s.steps ? 1.5F * kPi : kPi * static_cast<float>(i) / static_cast<float>(s.steps);
+}
+
 constexpr float kBackDepth = 0.35F;  // The back is flatter than the face.
 
 // Along the lock, with one ring close to the tip that shapes its end.
@@ -41,9 +43,9 @@ void AddRing(Patch& patch, const Skull& skull, const Path& path, const LockShape
   const glm::vec3 along = glm::normalize(path(std::min(1.0F, t + 0.01F)) - path(std::max(0.0F, t - 0.01F)));
   const glm::vec3 side = glm::normalize(glm::cross(OutwardsAt(skull, p), along));
   const glm::vec3 out = glm::cross(along, side);
-  for (const float a_deg : kSection_deg) {
-    const float c = std::cos(a_deg * kRadPerDeg);
-    const float s = std::sin(a_deg * kRadPerDeg);
+  for (int i = 0; i < patch.columns; ++i) {
+    const float c = std::cos(RoundLens(shape, i));
+    const float s = std::sin(RoundLens(shape, i));
     const float depth = ThicknessAt(shape, t) * (s > 0 ? s : s * kBackDepth);
     patch.points.push_back(p - side * (c * 0.5F * WidthAt(shape, t)) + out * depth);
   }
@@ -56,9 +58,9 @@ void AddRing(Patch& patch, const Skull& skull, const Path& path, const LockShape
 void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape) {
   Patch patch;
   patch.rows = shape.rings;
-  patch.columns = static_cast<int>(kSection_deg.size());
+  patch.columns = shape.steps + 2;
   patch.closed_across = true;
-  for (const float a_deg : kSection_deg) patch.across.push_back(0.5F - 0.5F * std::cos(a_deg * kRadPerDeg));
+  for (int i = 0; i < patch.columns; ++i) patch.across.push_back(0.5F - 0.5F * std::cos(RoundLens(shape, i)));
   for (int ring = 0; ring < shape.rings; ++ring) {
     AddRing(patch, skull, path, shape, RingAt(shape, ring));
   }

@@ -25,12 +25,14 @@ struct LockShape {
   // Up to here it lies on the skull, where it has a little over half of its rings; from here on it
   // hangs. 1: rings are even.
   float hangs_from = 1;
+  // Steps over its face; 2 at least. Fewer are enough for a narrow one.
+  int steps = 5;
 };
 
 // The middle of the lock: t 0 at the root .. 1 at the tip; centimetres.
 using Path = std::function<glm::vec3(float t)>;
 
-// Adds shape.rings times seven points. `path` is asked for points a little before and after t, too, always
+// Adds shape.rings times shape.steps + 2 points. `path` is asked for points a little before and after t, too, always
 // within 0 .. 1; it must not stand still. The skull says which way is outwards.
 void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape);
 

@@ -46,8 +46,7 @@ struct Creases {
 
 // A dog's coat: where its parts lie. Edges that fade have two numbers, from where to where.
 struct CoatLook {
-  // `dots` are light ones over the eyes.
-  Spot nose, nostrils, dots;
+  Spot nose, nostrils;
   // The slit between nose and mouth: where it fades in and out, by height.
   glm::vec2 slit_top_cm{}, slit_bottom_cm{};
   glm::vec2 muzzle_y_cm{}, muzzle_x_cm{};  // Cream from the first to the second; outwards it ends at x.
@@ -165,6 +164,8 @@ struct ScalpLook {
   Knots above_cm;  // Empty: none.
   // Of its edge: 0 is painted with a brush, 1 grows.
   float ragged = 1;
+  // Strokes of a brush a side, from a parting in the middle to the sides, lighter than the ground; a few lie below its edge.
+  int strands = 0;
 };
 
 // [eyes]. The iris and its lashes. `lash_wing_cm` is how far the outermost lash sticks out beyond the corner.
@@ -251,12 +252,14 @@ struct ClothesLook {
 };
 
 // [surface]. How the renderer lights the face: `softness` 0 .. 1 lets light wrap round it, `metal` 0 .. 1
-// mirrors the surroundings, `flat` is its one colour in the flat style. As face::SurfaceLook.
+// mirrors the surroundings, `flat` is its one colour in the flat style, `folds` 0 .. 1 is how deep its wrinkles are where
+// a graphics card draws them. As face::SurfaceLook.
 struct SurfacePaint {
   float softness = 1;
   float metal = 0;
   glm::vec3 flat{};
   float print = 0;  // 1: drawn as a poster print.
+  float folds = 1;
 };
 
 // Everything that looks/NAME.toml says.

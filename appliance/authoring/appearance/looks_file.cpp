@@ -112,8 +112,9 @@ EyePaint ReadEyes(Section s) {
 
 // The flat colour must be given: it is all that the flat style shows of the surface.
 SurfacePaint ReadSurface(Section s) {
-  s.AllowOnly({"softness", "metal", "flat", "print"});
-  return {Share(s, "softness", 1), Share(s, "metal", 0), Colour(s, "flat"), Share(s, "print", 0)};
+  s.AllowOnly({"softness", "metal", "flat", "print", "folds"});
+  return {Share(s, "softness", 1), Share(s, "metal", 0), Colour(s, "flat"), Share(s, "print", 0),
+          Share(s, "folds", 1)};
 }
 
 // Lengths must be given. Two of them divide where hairs are drawn, and so must be greater than 0.
@@ -131,8 +132,9 @@ MoustacheLook ReadMoustache(Section s) {
 }
 
 ScalpLook ReadScalp(Section s) {
-  s.AllowOnly({"colour", "above", "ragged"});
-  return {Colour(s, "colour"), Pairs(s, "above"), Share(s, "ragged", 1)};
+  s.AllowOnly({"colour", "above", "ragged", "strands"});
+  return {Colour(s, "colour"), Pairs(s, "above"), Share(s, "ragged", 1),
+          s.WholeOr("strands", 0, 0, kMostHairs)};
 }
 
 }  // namespace

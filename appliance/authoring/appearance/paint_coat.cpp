@@ -45,10 +45,20 @@ glm::vec2 Lie(glm::vec2 p, float ear_ring, const CoatLook& coat) {
                         glm::vec2(0, 1e-3F));
 }
 
-// Where no stroke begins: outside the surface, in the mouth, on lids, lips and nose.
+// Where no stroke begins or ends: outside the surface, in the mouth, on lids, lips and nose. Fur over the line of the
+// mouth would look like stitches.
 bool Bald(const Texel& t, const CoatLook& coat) {
-  return !t.covered || t.bag > 0 || t.eye_ring > 3.4F || t.mouth_ring > 4.4F ||
+  return !t.covered || t.bag > 0 || t.eye_ring > 3.4F || t.mouth_ring > 3.5F ||
          Nose(t.mirrored(), coat) > 0.1F;
+}
+
+// The texel at a place, or the nearest one of the texture.
+const Texel& TexelAt(const Atlas& atlas, glm::vec2 uv_cm) {
+  const glm::vec2 at = TexelFromUv(uv_cm, atlas.size_px);
+  const auto within = [&](float x) {
+    return std::clamp(static_cast<int>(std::lround(x)), 0, atlas.size_px - 1);
+  };
+  return atlas.at(within(at.x), within(at.y));
 }
 
 void PaintWhiskerSpots(glm::vec2 p, const CoatLook& coat, Paint& paint) {
@@ -78,7 +88,6 @@ void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint) {
   paint.Mix(0.35F * Edge(coat.back_x_cm, p.x), look.base * 0.6F);    // and back.
   paint.Mix(0.92F * Cream(p, coat), Hex("#f3e3cc"));
   paint.Mix(0.85F * SmoothStep(0.08F, 0.35F, texel.ear_ring), Hex("#7a4a26"));
-  paint.Mix(0.65F * Bell2(p, coat.dots.at_cm, coat.dots.radii_cm), Hex("#f6dfba"));  // Dots over the eyes.
   paint.Mix(0.45F * Bell(texel.eye_ring - 4, 1.6F) * (texel.eye_ring > 0 ? 1.0F : 0.0F), look.base * 0.35F);
   PaintMuzzleShade(p, look, paint);
   PaintWhiskerSpots(p, coat, paint);
@@ -113,6 +122,7 @@ void DrawFur(Canvas& canvas, const CoatLook& coat) {
     glm::vec2 lie =
         Lie(texel.mirrored(), texel.ear_ring, coat) + 0.35F * glm::vec2(dice.Spread(), dice.Spread());
     lie = glm::normalize(lie) * dice.Between(0.25F, 0.6F) * coarse * glm::vec2(side, 1);
+    if (Bald(TexelAt(atlas, texel.uv_cm + lie), coat)) continue;
     const glm::vec2 bend = texel.uv_cm + lie * 0.5F + 0.06F * glm::vec2(dice.Spread(), dice.Spread());
     const glm::vec3 colour = canvas.Sample(texel.uv_cm) * dice.Between(0.72F, 1.28F);
     canvas.Draw({texel.uv_cm, bend, texel.uv_cm + lie, dice.Between(0.014F, 0.03F) * coarse,

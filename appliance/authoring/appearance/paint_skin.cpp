@@ -1,5 +1,6 @@
 // Skin, scalp, lids, lips and the inside of the mouth. Places are those of the reference face, in
 // centimetres.
+#include <algorithm>
 #include <cmath>
 
 #include "appliance/authoring/appearance/colour.h"
@@ -32,6 +33,17 @@ float Oil(glm::vec2 p) {
 float Mottle(glm::vec2 uv_cm) {
   return Noise(uv_cm.x * 1.1F + 40, uv_cm.y * 1.1F) * 0.6F + Noise(uv_cm.x * 6 + 90, uv_cm.y * 6) * 0.4F -
          0.5F;
+}
+
+// What light alone shows too little of on an ear that is seen from the front: the bowl, and the groove behind its outer rim. The
+// lobe, below, has neither.
+void PaintEar(const Texel& texel, const SkinLook& look, Paint& paint) {
+  if (texel.ear_ring <= 0) return;
+  const glm::vec2 p = texel.mirrored();
+  const float above_lobe = SmoothStep(-4.4F, -3.6F, p.y);
+  const float bowl = 0.85F * Bell2(p, {10.95F, -2.95F}, {0.55F, 0.7F});
+  const float groove = 0.70F * Bell(texel.ear_ring - 0.76F, 0.13F) * SmoothStep(10.2F, 10.9F, p.x);
+  paint.Mix(above_lobe * std::max(bowl, groove), look.base * glm::vec3(0.40F, 0.24F, 0.20F));
 }
 
 // A shaved beard: around the mouth, over the jaw, and up the sides to the ears.
@@ -68,6 +80,7 @@ void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint) {
   paint.Mix(Glow(p) * 0.9F, Hex("#ffe6d4") * look.base * 1.35F);
   // Oil shines about twice as much as the rest.
   paint.MixGloss(0.5F * Oil(p), look.gloss * 2.2F);
+  PaintEar(texel, look, paint);
   if (look.stubble > 0) PaintStubble(texel, look.stubble, paint);
   PaintNostrils(p, look, paint);
 }

@@ -38,13 +38,12 @@ Creases ReadCreases(toml::Section s) {
 
 // Every key must be there: a coat without one of its parts is no dog's.
 CoatLook ReadCoat(toml::Section s) {
-  s.AllowOnly({"nose", "nose_radii", "nostrils", "nostril_radii", "dots", "dot_radii", "slit_top",
-               "slit_bottom", "muzzle_y", "muzzle_x", "blaze_x", "blaze_bottom", "blaze_top", "crown_y",
-               "back_x", "neck_y", "cheek_x", "cheek_y", "whiskers"});
+  s.AllowOnly({"nose", "nose_radii", "nostrils", "nostril_radii", "slit_top", "slit_bottom", "muzzle_y",
+               "muzzle_x", "blaze_x", "blaze_bottom", "blaze_top", "crown_y", "back_x", "neck_y", "cheek_x",
+               "cheek_y", "whiskers"});
   CoatLook coat;
   coat.nose = ReadSpot(s, "nose", "nose_radii");
   coat.nostrils = ReadSpot(s, "nostrils", "nostril_radii");
-  coat.dots = ReadSpot(s, "dots", "dot_radii");
   coat.slit_top_cm = Pair(s, "slit_top");
   coat.slit_bottom_cm = Pair(s, "slit_bottom");
   coat.muzzle_y_cm = Pair(s, "muzzle_y");

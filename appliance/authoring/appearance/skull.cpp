@@ -32,7 +32,7 @@ glm::vec3 RootOf(const Fall& fall, float around_deg) {
 glm::vec3 Hanging(const Skull& skull, const Fall& fall, glm::vec3 equator_cm, float s) {
   const bool behind = equator_cm.z < kAxisZ_cm;
   const float tuck = behind ? 0.10F * s * Clamp01((kAxisZ_cm - equator_cm.z) / 6) : 0;
-  const float curl = fall.curl * SmoothStep(0.35F, 1.15F, s) * 1.25F;
+  const float curl = fall.curl * SmoothStep(0.1F, 1.25F, s) * 1.29F;  // From high up: no corner.
   const float radius = 1 + fall.flare * std::sin(kPi * std::min(1.0F, s * 1.1F)) - curl - tuck;
   return {equator_cm.x * radius, skull.centre_cm.y + (fall.end_y_cm - skull.centre_cm.y) * s,
           (equator_cm.z - kAxisZ_cm) * radius + kAxisZ_cm};
@@ -67,7 +67,7 @@ glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t
     return Hanging(skull, fall, skull.Above(equator, fall.offset_cm), s);
   }
   const float s = t / kHangsFrom;
-  const float at_root = fall.parting_deg > 0 ? 0.7F : 0.25F;  // From a parting it lies over the cap.
+  const float at_root = fall.parting_deg > 0 ? 0.45F : 0.25F;  // From a parting it lies over the cap.
   const float offset_cm = fall.offset_cm * (at_root + (1 - at_root) * SmoothStep(0, 0.5F, s));
   return skull.Above(GreatCircle(RootOf(fall, around_deg), equator, s), offset_cm);
 }

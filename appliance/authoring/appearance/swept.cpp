@@ -13,14 +13,15 @@ namespace {
 constexpr int kRows = 14;
 constexpr int kColumns = 61;
 constexpr float kHalf_deg = 104;  // The combed top reaches this far round, to behind the ears.
-constexpr int kLocks = 40;
+constexpr int kLocks = 56;
 constexpr float kSweptLocksAcross = 11;  // The sheet counts as so many locks, for the stripes on it.
 
 // Combed from the hairline at `around_deg` back over the top, a little to the character's right, so that a
-// side parting shows.
+// side parting shows. A hairline is uneven: an even one is the edge of a cap.
 Comb CombFrom(const HairLook& look, float around_deg) {
   const float from_front = std::abs(around_deg);
-  const float elevation = Table(look.hairline_deg, from_front);
+  const float uneven_deg = 2.6F * (Noise(around_deg * 0.29F + 70, 2) - 0.5F);
+  const float elevation = Table(look.hairline_deg, from_front) + uneven_deg;
   const float part_deg = 14 * Bell(around_deg, 60);
   Comb comb;
   comb.from = Direction(around_deg, elevation);
@@ -40,8 +41,9 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
     for (int c = 0; c < kColumns; ++c) {
       const float around = kHalf_deg - 2 * kHalf_deg * static_cast<float>(c) / (kColumns - 1);
       Comb comb = CombFrom(look, around);
+      comb.root_cm = 0;  // Grows out of the skin: a step would be a cap's edge.
       comb.lift_cm +=
-          0.16F * (Noise(around * 0.22F, t) - 0.5F) + 0.08F * (Noise(around * 0.5F, t + 5) - 0.5F);
+          0.10F * (Noise(around * 0.22F, t) - 0.5F) + 0.05F * (Noise(around * 0.5F, t + 5) - 0.5F);
       sheet.points.push_back(OnComb(look.skull, comb, t));
     }
   }
@@ -50,20 +52,22 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
   mesh.AddPatch(sheet);
 }
 
-// A lock over the sheet, which ends before the sheet does.
+// A lock over the sheet, which ends before the sheet does. Narrow and flat: thick ones look like ropes.
 void AddTopLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
-  shape.width_cm = dice.Between(0.7F, 1.4F);
+  shape.width_cm = dice.Between(0.45F, 1.1F);
   // Thinner at the temples, where they lie one above the other.
-  shape.thickness_cm = dice.Between(0.09F, 0.16F) * (1 - 0.45F * SmoothStep(50, 80, std::abs(around_deg)));
+  shape.thickness_cm = dice.Between(0.04F, 0.08F) * (1 - 0.45F * SmoothStep(50, 80, std::abs(around_deg)));
   shape.root = 0.7F;
   shape.full_from = 0.3F;
   shape.tapers_from = 0.55F;
   shape.tip = dice.Between(0.04F, 0.15F);
   shape.rings = 8;  // Thin, and many.
+  shape.steps = 3;
   Comb comb = CombFrom(look, around_deg);
-  comb.root_cm = 0.0F;
-  comb.lift_cm += dice.Between(0.04F, 0.15F);
+  // Clear of the sheet, or its waves would cut dark pieces out of a lock so thin.
+  comb.root_cm = 0.06F;
+  comb.lift_cm += dice.Between(0.09F, 0.15F);
   const float until = dice.Between(0.75F, 0.97F);
   AddLock(
       mesh, look.skull, [=, &look](float t) { return OnComb(look.skull, comb, t * until); }, shape);

@@ -1,5 +1,6 @@
 #include "appliance/authoring/appearance/teeth.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -37,24 +38,33 @@ float Roundness(int column) {
   return column % kColumnsPerTooth == 0 ? 0 : std::sqrt(1 - x * x);
 }
 
-// t runs -1 .. 1 from right to left: x by a sine and z by a cosine, an arch that is round in front. Gaps lie
-// back a little, and edges curve as a smile does.
-glm::vec3 ToothPoint(const Arch& arch, int row, int column) {
+// How far sideways, -1 .. 1, at t -1 .. 1 from right to left: teeth are narrower towards the sides.
+float Sideways(int column) {
   const float t = static_cast<float>(column) / (kTeethColumns - 1) * 2 - 1;
+  return std::sin(t * kPi / 2);
+}
+
+// An arch that is flat in front and bends at the eye teeth, a superellipse: of a round one, the far side is hidden by
+// the front as soon as the head turns, and the mouth has a black hole beside the teeth. Gaps lie back a little, and
+// edges curve as a smile does.
+glm::vec3 ToothPoint(const Arch& arch, int row, int column) {
+  constexpr float kSquare = 3.0F;  // 2 is round.
+  const float s = Sideways(column);
+  const float back = 1 - std::pow(std::max(0.0F, 1 - std::pow(std::abs(s), kSquare)), 1 / kSquare);
   const glm::vec2 p = kProfile[static_cast<std::size_t>(row)];
   const float grows = arch.edge_y_cm < arch.root_y_cm ? 1.0F : -1.0F;
   const float gap = 1 - Roundness(column);
   const float height = arch.edge_y_cm - arch.root_y_cm;
-  const float smile = 0.10F * std::cos(t * 1.5F) * (grows > 0 ? 1.0F : 0.3F);
+  const float smile = 0.10F * (1 - s * s) * (grows > 0 ? 1.0F : 0.3F);
   const float y = arch.root_y_cm + height * p.x - grows * p.x * (smile - 0.07F * gap * gap);
-  const float z = arch.front_z_cm - arch.depth_cm * (1 - std::cos(t * kPi / 2)) + p.y - 0.08F * gap;
-  return {arch.half_width_cm * std::sin(t * kPi / 2), y, z};
+  const float z = arch.front_z_cm - arch.depth_cm * back + p.y - 0.08F * gap;
+  return {arch.half_width_cm * s, y, z};
 }
 
-// Teeth lie deeper in the mouth, and darker, towards the sides; the gaps are thin lines.
+// Teeth lie deeper in the mouth, and darker, towards the sides, where they go over into its dark without an edge; the
+// gaps are thin lines.
 float ToothShade(int row, int column) {
-  const float t = static_cast<float>(column) / (kTeethColumns - 1) * 2 - 1;
-  const float side = 1 - 0.72F * std::pow(std::abs(t), 1.6F);
+  const float side = 1 - 0.90F * SmoothStep(0.42F, 0.98F, std::abs(Sideways(column)));
   const float gap = column % kColumnsPerTooth == 0 ? 0.72F : 1.0F;
   const float gum = 0.72F + 0.28F * SmoothStep(0, 0.45F, kProfile[static_cast<std::size_t>(row)].x);
   return Clamp01(side * gap * gum);
@@ -101,7 +111,7 @@ glm::vec3 TonguePoint(int row, int column) {
 
 // The numbers of both arches are those of Arch, in centimetres: gum, edge, front and half of the width.
 face::Prop CarveUpperTeeth() {
-  return CarveArch({-5.35F, -6.12F, 7.75F, 2.15F}, face::Part::kUpperTeeth);
+  return CarveArch({-5.35F, -6.12F, 7.75F, 2.2F}, face::Part::kUpperTeeth);
 }
 
 face::Prop CarveLowerTeeth() {

@@ -73,8 +73,9 @@ bool SameLook(const face::Face& a, const face::Face& b) {
          a.eye_look.lash_length_m == b.eye_look.lash_length_m &&
          a.eye_look.lash_wing_m == b.eye_look.lash_wing_m && a.surface.softness == b.surface.softness &&
          a.surface.metal == b.surface.metal && a.surface.flat == b.surface.flat &&
-         a.surface.print == b.surface.print && SameEyeSurface(a.eye_surface, b.eye_surface) &&
-         a.outgrowth_kind == b.outgrowth_kind && a.withdrawn == b.withdrawn && a.hang_arms_m == b.hang_arms_m;
+         a.surface.print == b.surface.print && a.surface.folds == b.surface.folds &&
+         SameEyeSurface(a.eye_surface, b.eye_surface) && a.outgrowth_kind == b.outgrowth_kind &&
+         a.withdrawn == b.withdrawn && a.hang_arms_m == b.hang_arms_m;
 }
 
 // Displacements by the names of their points, so that points that were added or put into another order

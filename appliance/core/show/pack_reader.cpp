@@ -93,7 +93,8 @@ face::Face ReadFace(Copier& from, const pack::Face& stored) {
   if (stored.eye_surface() != nullptr)
     face.eye_surface = AsHeld<pack::EyeSurface, face::EyeSurface>(*stored.eye_surface());
   if (stored.mouth() != nullptr) face.mouth = AsHeld<pack::MouthFit, face::MouthFit>(*stored.mouth());
-  face.surface = {stored.softness(), stored.metal(), stored.texture(), Vec(stored.flat()), stored.print()};
+  face.surface = {stored.softness(),  stored.metal(), stored.texture(),
+                  Vec(stored.flat()), stored.print(), stored.folds()};
   face.props = from.Numbers(stored.props());
   face.expression_gain = stored.expression_gain();
   face.outgrowth_kind = stored.outgrowth_kind();

@@ -103,8 +103,8 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   const pack::Vec3 flat = Vec(face.surface.flat);
   return pack::CreateFace(to, name, positions, occlusion, eyes, &eye_look, &mouth, face.surface.softness,
                           face.surface.metal, face.surface.texture, &flat, props, face.expression_gain,
-                          face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn, sparse,
-                          hang_arms);
+                          face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn, sparse, hang_arms,
+                          face.surface.folds);
 }
 
 Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& expression) {

@@ -132,6 +132,34 @@ TEST(AppearanceTeeth, ShowOnlyBetweenTheLipsInEveryExpressionOfEveryFace) {
   }
 }
 
+const face::Prop& UpperTeeth() {
+  return *std::ranges::find(DressedCast().props, Part::kUpperTeeth, &face::Prop::part);
+}
+
+// From half a radian the teeth of the far side are seen for 9 mm beside the middle: else the mouth is a black hole there.
+TEST(AppearanceTeeth, OfTheFarSideAreSeenWhenTheHeadIsTurned) {
+  float front_m = -1, middle_m = 0, far_m = 1;
+  for (const face::PropVertex& v : UpperTeeth().vertices) {
+    const glm::vec3 seen = SeenFrom(0.5F, v.position);
+    far_m = std::min(far_m, seen.x);
+    if (v.position.z > front_m) {
+      front_m = v.position.z;
+      middle_m = seen.x;
+    }
+  }
+  EXPECT_GT(middle_m - far_m, 0.0085F);
+}
+
+TEST(AppearanceTeeth, EndInTheDarkOfTheMouthAtBothSides) {
+  float widest_m = 0;
+  for (const face::PropVertex& v : UpperTeeth().vertices) widest_m = std::max(widest_m, v.position.x);
+  for (const face::PropVertex& v : UpperTeeth().vertices) {
+    if (std::abs(v.position.x) > 0.9F * widest_m) {
+      EXPECT_LT(v.shade, 0.25F) << v.position.x;
+    }
+  }
+}
+
 TEST(AppearanceTeeth, WouldBeSeenIfTheyStoodBeforeTheLips) {
   const sculpt::Cage cage = sculpt::BuildCage();
   const face::Cast& cast = DressedCast();

@@ -193,5 +193,37 @@ TEST(AppearanceTextures, GiveTheDogADarkWetNose) {
   EXPECT_GT(dog.rgba[i + 3], 90);
 }
 
+// Fur that is drawn over the line of the mouth looks like stitches.
+TEST(AppearanceTextures, KeepFurOffTheDogsLips) {
+  const face::Texture& dog = TextureOf("dog");
+  for (std::size_t i = 0; i < SmallAtlas().texels.size(); ++i) {
+    const Texel& texel = SmallAtlas().texels[i];
+    if (!texel.covered || texel.bag > 0 || texel.mouth_ring < 5) continue;
+    EXPECT_LT(dog.rgba[4 * i], 90) << texel.uv_cm.x << " " << texel.uv_cm.y;
+  }
+}
+
+TEST(AppearanceTextures, ShadeTheBowlOfAnEarAndLeaveItsLobeLight) {
+  const glm::vec3 bowl = SrgbAt(TextureOf("kaori"), {10.95F, -2.95F});
+  const glm::vec3 lobe = SrgbAt(TextureOf("kaori"), {11.0F, -4.7F});
+  EXPECT_LT(bowl.g, lobe.g - 25);
+}
+
+TEST(AppearanceScalp, HasStrandsAboveItsEdgeAndAFewOnTheSkinBelow) {
+  const ScalpLook look{
+      .colour = {0.2F, 0.2F, 0.2F}, .above_cm = {{0, 8}, {12, 8}}, .ragged = 0, .strands = 400};
+  Canvas canvas(SmallAtlas());
+  DrawHairline(canvas, look);
+  int above = 0, below = 0;
+  for (std::size_t i = 0; i < SmallAtlas().texels.size(); ++i) {
+    if (canvas.at(i).colour.g <= 0) continue;
+    const float v_cm = SmallAtlas().texels[i].uv_cm.y;
+    EXPECT_GT(v_cm, 7.4F);
+    (v_cm > 8.1F ? above : below) += 1;
+  }
+  EXPECT_GT(below, 0);
+  EXPECT_GT(above, 5 * below);
+}
+
 }  // namespace
 }  // namespace kaori::appearance

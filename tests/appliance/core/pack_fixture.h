@@ -29,6 +29,7 @@ inline show::Show SmallShow() {
   show.scenes[0].name = "opening";
   show.scenes[0].backdrop = {{0.1F, 0.2F, 0.3F}, {}, scene::BackdropKind::kPicture, {0.5F, 0.4F, 0.3F}, 0};
   show.cast.faces[2].surface.print = 0.75F;
+  show.cast.faces[2].surface.folds = 0.5F;
   show.cast.faces[2].eye_surface.white = {0.1F, 0.2F, 0.3F};
   show.cast.faces[2].eye_surface.glow = 0.5F;
   show.cast.faces[2].outgrowth_kind = 1;

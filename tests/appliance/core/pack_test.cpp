@@ -42,9 +42,9 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->motions[0].curves[0].keys[1].value, 0.3F);
   EXPECT_EQ(loaded->motions[0].sound.channels, 2);
   EXPECT_EQ(loaded->motions[0].sound.samples, show.motions[0].sound.samples);
-  EXPECT_EQ(loaded->scenes[0].backdrop.top, show.scenes[0].backdrop.top);
   EXPECT_EQ(loaded->scenes[0].backdrop, show.scenes[0].backdrop);
   EXPECT_EQ(loaded->cast.faces[2].surface.print, 0.75F);
+  EXPECT_EQ(loaded->cast.faces[2].surface.folds, 0.5F);
   EXPECT_EQ(loaded->cast.faces[2].eye_surface.white, glm::vec3(0.1F, 0.2F, 0.3F));
   EXPECT_EQ(loaded->cast.faces[2].eye_surface.glow, 0.5F);
   EXPECT_EQ(loaded->cast.faces[2].outgrowth_kind, 1);
