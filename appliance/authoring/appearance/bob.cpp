@@ -22,8 +22,8 @@ struct Tip {
   float from_deg = 0;
   float to_deg = 0;
   float drop_cm = 0;  // The tip hangs this far below the notches beside it.
-  float lean_deg =
-      0;  // Its end lies to one side; far less than its width, or the forehead shows between two.
+  // Its end lies to one side; far less than its width, or the forehead shows between two.
+  float lean_deg = 0;
 };
 
 // Tips of uneven widths, over 2 * half_deg in all: even ones look like a comb.
