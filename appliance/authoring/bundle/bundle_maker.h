@@ -25,7 +25,8 @@ Result<std::string> ProductOf(const std::filesystem::path& image);
 // What is packed is what lies in the files now: whoever tested another image than this one signs what nobody saw. Both kernels
 // go along, since it is not known in which slot a box runs.
 //
-// Packs and signs; takes a minute for 300 MB quickly, and 600 MB of memory. `manifest` says version, from and news. The file is there as a whole or not at all. Errors: those of ReadFile and WriteWholeFile.
+// Packs and signs; takes a minute for 300 MB quickly, and 600 MB of memory. `manifest` says version, from and news. The file is
+// there as a whole or not at all. Errors: those of ReadFile and WriteWholeFile.
 Result<void> MakeBundle(update::Manifest manifest,
                         const std::array<std::filesystem::path, update::kParts>& parts,
                         const show::SecretKey& signer, const std::filesystem::path& file,

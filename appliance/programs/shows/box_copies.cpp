@@ -27,8 +27,7 @@ std::string TimeText(std::time_t wall, const char* form) {
 // The disk's and the stick's errors mean the same to the person: what is written is a stick, or, for the desk, the box's own disk.
 Message MessageOfBackup(const Error& error, bool for_desk) {
   if (error.cause == std::errc::text_file_busy) return Message::kChanged;
-  if (!for_desk) return SupportMessageOf(error);
-  return error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault;
+  return for_desk ? DiskMessageOf(error) : SupportMessageOf(error);
 }
 
 }  // namespace

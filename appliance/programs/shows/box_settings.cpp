@@ -175,8 +175,7 @@ Progress BoxSettings::Answer(bool yes) {
   if (!yes || !text) return {Message::kLeft};
   const auto written = Write(*text);
   if (written) return {Message::kSettingsWait};
-  const bool is_full = written.error().cause == std::errc::no_space_on_device;
-  return {is_full ? Message::kFull : Message::kDiskFault, written.error().message()};
+  return {DiskMessageOf(written.error()), written.error().message()};
 }
 
 }  // namespace kaori::shows

@@ -199,8 +199,7 @@ void InstallService::GoBack(const Choosable& taken) {
   name_ = taken.offer.name;
   const store::Choice choice = ReadChoice(folder_);
   if (auto ok = WriteChoice(folder_, {store::NextGeneration(choice, Told()), taken.id, choice.current}); !ok)
-    return Tell(ok.error().cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
-                name_, ok.error().message());
+    return Tell(DiskMessageOf(ok.error()), name_, ok.error().message());
   TellStage();
   ListAnew();
   Tell(Message::kInstalled, name_);

@@ -114,11 +114,9 @@ void Installation::Refuse(Message message, std::string detail) {
   stage_ = Stage::kEnded;
 }
 
-// The box's own disk failed. A full one is for the person to mend; anything else is for whoever looks after
-// the box.
+// The box's own disk failed.
 void Installation::RefuseFolder(const Error& error) {
-  Refuse(error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
-         error.message());
+  Refuse(DiskMessageOf(error), error.message());
 }
 
 // Whoever signed it is asked before anything is copied: what is not trusted is not worth reading. The chosen

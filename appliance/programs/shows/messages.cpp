@@ -102,6 +102,10 @@ bool IsRefusal(Message message) {
   return message >= Message::kNotAShow || message == Message::kNoShow;
 }
 
+Message DiskMessageOf(const Error& error) {
+  return error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault;
+}
+
 std::string Say(Message message, Language language, std::string_view name, std::string_view detail) {
   std::string text(name);
   if (!text.empty()) text += ": ";

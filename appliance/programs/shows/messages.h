@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/base/result.h"
+
 namespace kaori::shows {
 
 // How an installation ended, or how far it is. Each has a row in the table.
@@ -112,6 +114,10 @@ std::string_view Words(Message message, Language language);
 
 // Whether nothing was installed and somebody has to do something about it.
 bool IsRefusal(Message message);
+
+// What it is called that the box's own disk took no file: a full one is for the person to mend, anything else is for whoever looks
+// after the box. Pure.
+Message DiskMessageOf(const Error& error);
 
 // "NAME: WORDS", and "(DETAIL)" behind it where there is one. Pure.
 std::string Say(Message message, Language language, std::string_view name, std::string_view detail = {});

@@ -60,10 +60,8 @@ void Restoration::Refuse(Message message, std::string detail) {
   stage_ = Stage::kEnded;
 }
 
-// A disk without room is the one of its errors that somebody at the box can do something about.
 void Restoration::RefuseDisk(const Error& error) {
-  Refuse(error.cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
-         error.message());
+  Refuse(DiskMessageOf(error), error.message());
 }
 
 const Progress& Restoration::Step() {

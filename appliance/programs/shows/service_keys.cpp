@@ -37,9 +37,7 @@ void InstallService::AnswerForKey(const Choosable& taken) {
   const bool is_trusted = taken.kind == Choosable::Kind::kTrust;
   const auto kept = is_trusted ? KeepKey(taken.key) : Result<void>{};
   ListAnew();
-  if (!kept)
-    return Tell(kept.error().cause == std::errc::no_space_on_device ? Message::kFull : Message::kDiskFault,
-                taken.id, kept.error().message());
+  if (!kept) return Tell(DiskMessageOf(kept.error()), taken.id, kept.error().message());
   if (!is_trusted) return Tell(Message::kLeft);
   Tell(Message::kKeyTaken, taken.id, show::Fingerprint(taken.key));
 }
