@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
-#include <utility>
 
 namespace kaori::passes {
 namespace {
@@ -67,16 +66,6 @@ void Add(const Outline& outline, float weight, Outline& to) {
 }
 
 }  // namespace
-
-face::Terms InOrderOfCast(const face::Terms& faces) {
-  std::array<face::Term, face::Terms::kCapacity> terms{};
-  std::ranges::copy(faces, terms.begin());
-  const auto end = terms.begin() + faces.size();
-  std::sort(terms.begin(), end, [](const auto& a, const auto& b) { return a.index < b.index; });
-  face::Terms sorted;
-  for (auto term = terms.begin(); term != end; ++term) sorted.Push(term->index, std::max(term->weight, 0.0F));
-  return sorted;
-}
 
 float Dressing::reach_m() const {
   if (whole()) return 0;
@@ -167,25 +156,13 @@ void Necks::MeasureOutline(const face::Cast& cast, const face::Face& face, Neck&
     neck.opens_m += below_m / static_cast<float>(Outline::kSamples);
 }
 
-// Where one garment is open and the other is closed about the neck, the closed one's last piece would hang before the
-// opening: so what opens most is laid first, from the collar on. Of those alike, as in the cast.
-face::Terms Necks::MostOpenFirst(const face::Terms& faces) const {
-  const face::Terms sorted = InOrderOfCast(faces);
-  std::array<face::Term, face::Terms::kCapacity> terms{};
-  std::ranges::copy(sorted, terms.begin());
-  const auto end = terms.begin() + sorted.size();
-  std::sort(terms.begin(), end, [this](const auto& a, const auto& b) {
-    return std::pair(-necks_[a.index].opens_m, a.index) < std::pair(-necks_[b.index].opens_m, b.index);
-  });
-  face::Terms ordered;
-  for (auto term = terms.begin(); term != end; ++term) ordered.Push(term->index, term->weight);
-  return ordered;
-}
-
 // A face without clothes either has no neck, and then all sink, or it bares its neck from below.
+//
+// Where one garment is open and the other is closed about the neck, the closed one's last piece would hang before the
+// opening: so what opens most is laid first, from the collar on.
 Dressing Necks::Dress(const face::Terms& faces) const {
   Dressing d;
-  const face::Terms sorted = MostOpenFirst(faces);
+  const face::Terms sorted = InOrder(faces, [this](std::uint16_t face) { return -necks_[face].opens_m; });
   float dressed = 0;
   float half_width_m = 0;
   float radius_m = 0;

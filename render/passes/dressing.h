@@ -2,8 +2,10 @@
 // to the neck that the faces have together.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/face/cast.h"
@@ -11,9 +13,26 @@
 
 namespace kaori::passes {
 
-// The terms in the order of the cast, whatever the order of the fade; what weighs less than nothing weighs
-// nothing.
-face::Terms InOrderOfCast(const face::Terms& faces);
+// The terms by what `rank` gives of each face, the least first, and of equals in the order of the cast, whatever the order of the
+// fade; what weighs less than nothing weighs nothing. Pure, as `rank` is; allocates nothing.
+template <class Rank>
+face::Terms InOrder(const face::Terms& faces, const Rank& rank) {
+  struct Ranked {
+    float rank = 0;
+    face::Term term;
+  };
+  std::array<Ranked, face::Terms::kCapacity> ranked{};
+  const auto end = std::ranges::transform(faces, ranked.begin(), [&](const face::Term& term) {
+                     return Ranked{rank(term.index), term};
+                   }).out;
+  std::sort(ranked.begin(), end, [](const Ranked& a, const Ranked& b) {
+    return std::pair(a.rank, a.term.index) < std::pair(b.rank, b.term.index);
+  });
+  face::Terms ordered;
+  for (auto each = ranked.begin(); each != end; ++each)
+    ordered.Push(each->term.index, std::max(each->term.weight, 0.0F));
+  return ordered;
+}
 
 // The upper edge of clothes as an audience sees it before the backdrop; both halves are alike. Lengths in metres.
 struct Outline {
@@ -87,8 +106,6 @@ class Necks {
   static void MeasureEnd(const face::Topology& topology, const face::Face& face, Neck& neck);
   static void MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& neck);
   static void MeasureOutline(const face::Cast& cast, const face::Face& face, Neck& neck);
-
-  face::Terms MostOpenFirst(const face::Terms& faces) const;
 
   std::vector<Neck> necks_;
 };

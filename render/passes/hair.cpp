@@ -70,21 +70,6 @@ HairOf SoftHairOf(const Appearance& appearance, std::size_t face) {
   return hair;
 }
 
-// The longest hair first; the order of the fade plays no part.
-face::Terms LongestFirst(const Appearance& appearance, const face::Terms& faces) {
-  const face::Terms sorted = InOrderOfCast(faces);
-  std::array<std::pair<float, face::Term>, face::Terms::kCapacity> by_length{};
-  std::size_t count = 0;
-  for (const face::Term& t : sorted) by_length[count++] = {SoftHairOf(appearance, t.index).lowest_m, t};
-  std::sort(by_length.begin(), by_length.begin() + static_cast<std::ptrdiff_t>(count),
-            [](const auto& a, const auto& b) {
-              return std::pair(a.first, a.second.index) < std::pair(b.first, b.second.index);
-            });
-  face::Terms terms;
-  for (std::size_t i = 0; i < count; ++i) terms.Push(by_length[i].second.index, by_length[i].second.weight);
-  return terms;
-}
-
 }  // namespace
 
 // Two passes over the faces. The first finds how much of the blend has soft hair at all, and its mean colour;
@@ -94,7 +79,9 @@ face::Terms LongestFirst(const Appearance& appearance, const face::Terms& faces)
 void Hairdo::Comb(const Appearance& appearance, const HeadFit& fit, const face::Terms& faces, float share) {
   const auto is_soft = [](const PropMesh& prop) { return !prop.hard; };
   const auto is_any = [](const PropMesh&) { return true; };
-  const face::Terms sorted = LongestFirst(appearance, faces);
+  // The longest hair first.
+  const face::Terms sorted =
+      InOrder(faces, [&](std::uint16_t face) { return SoftHairOf(appearance, face).lowest_m; });
   float haired = 0;
   glm::vec3 colours{};
   for (const face::Term& t : sorted) {

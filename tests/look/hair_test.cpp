@@ -21,9 +21,8 @@ constexpr std::array<float, 5> kShares{0.1F, 0.25F, 0.5F, 0.75F, 0.9F};
 
 // All but the largest region of what is drawn.
 int Afloat_px(const Pixels& figure) {
-  std::size_t largest_px = 0;
-  for (const tests::Region& region : tests::RegionsOf(figure, MorphPictures::kWidth_px))
-    largest_px = std::max(largest_px, region.size_px);
+  const auto regions = tests::RegionsOf(figure, MorphPictures::kWidth_px);
+  const std::size_t largest_px = regions.empty() ? 0 : regions.front().size_px;
   return static_cast<int>(static_cast<std::size_t>(std::ranges::count(figure, true)) - largest_px);
 }
 
