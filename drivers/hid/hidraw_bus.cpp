@@ -109,8 +109,10 @@ bool HidrawBus::DrainNotices() {
   return any;
 }
 
-// Lists all devices instead of applying notices one by one, so that lost notices do no harm.
+// Lists all devices instead of applying notices one by one, so that lost notices do no harm. On a busy machine the files of
+// sysfs that are read for it take a second, while the kernel makes a device.
 Result<void> HidrawBus::Scan() {
+  ExpectLongCall();
   const std::unique_ptr<udev_enumerate, EnumerateUnref> found(udev_enumerate_new(udev_.get()));
   if (!found || udev_enumerate_add_match_subsystem(found.get(), kSubsystem) < 0 ||
       udev_enumerate_scan_devices(found.get()) < 0)

@@ -6,11 +6,13 @@
 #include <chrono>
 #include <thread>
 
+#include "drivers/base/service.h"
 #include "drivers/decode/dial_box.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "firmware/wire/dial_box.h"
 #include "firmware/wire/stick_pod.h"
 #include "tests/drivers/hid_mock_device.h"
+#include "tests/drivers/service_manager.h"
 
 namespace kaori::hid {
 namespace {
@@ -73,6 +75,19 @@ TEST_F(HidrawBusTest, SeesAPullAndAReplug) {
   kernel_->Plug("1-4.2", 0, "hidraw1", box_);  // The testbed keeps a node's name.
   ASSERT_TRUE(has_notice());
   EXPECT_THAT(*bus_->Ports(), ElementsAre("1-4.2"));
+}
+
+TEST_F(HidrawBusTest, ListsDevicesWithoutBeingTakenForAHang) {
+  tests::Manager manager;
+  ::setenv("WATCHDOG_USEC", "10000000", 1);
+  ASSERT_TRUE(service::Watchdog::Wanted().value().Beat(std::chrono::milliseconds(20)));
+  manager.Heard();
+  ASSERT_TRUE(bus_->Ports());
+  EXPECT_THAT(manager.Heard(), ElementsAre("WATCHDOG_USEC=12000000\nWATCHDOG=1"));
+  ASSERT_TRUE(bus_->Ports());
+  EXPECT_THAT(manager.Heard(), IsEmpty()) << "nothing came or went, so nothing is listed";
+  ::unsetenv("WATCHDOG_USEC");
+  service::Watchdog::Wanted();  // There is none from here on.
 }
 
 TEST_F(HidrawBusTest, OpensADeviceThatIsReadAndWritten) {
