@@ -5,10 +5,13 @@
 #include <GLES2/gl2ext.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "render/gl/context.h"
+#include "render/gl/draw_state.h"
 
 namespace kaori::gl {
 namespace {
@@ -23,12 +26,12 @@ void DeleteCanvasTexture(unsigned id) {
   glDeleteTextures(1, &id);
 }
 
-// With samples; it stays bound.
-Handle NewRenderbuffer(const CanvasOptions& o, GLenum format) {
+// With so many samples, 0 for none; it stays bound.
+Handle NewRenderbuffer(int samples, int width_px, int height_px, GLenum format) {
   GLuint id = 0;
   glGenRenderbuffers(1, &id);
   glBindRenderbuffer(GL_RENDERBUFFER, id);
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, format, o.width_px, o.height_px);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_px, height_px);
   return Handle(id, DeleteRenderbuffer);
 }
 
@@ -45,17 +48,23 @@ void AttachRenderbuffer(GLenum attachment, const Handle& renderbuffer) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer.id());
 }
 
-// Drawing goes to this framebuffer, seen as a picture of the canvas's size, and within `box`.
-void Aim(unsigned framebuffer, const CanvasOptions& options, const Box& box) {
+// Drawing goes to this framebuffer, seen as a picture of this size, and within `box`.
+void Aim(unsigned framebuffer, int width_px, int height_px, const Box& box) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glViewport(0, 0, options.width_px, options.height_px);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
+  glViewport(0, 0, width_px, height_px);
+  CutTo(box);
 }
 
+int Supersampled(int size_px) {
+  return static_cast<int>(std::ceil(static_cast<float>(size_px) * kSupersampling - 0.01F));
+}
+
+// The layer is as large as the picture, or larger.
 bool IsValid(const CanvasOptions& o) {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
+  if (o.antialiasing == Antialiasing::kSupersample)
+    limit = static_cast<int>(static_cast<float>(limit) / kSupersampling);
   return o.width_px > 0 && o.height_px > 0 && o.width_px <= limit && o.height_px <= limit;
 }
 
@@ -89,48 +98,69 @@ bool Canvas::MakePicture() {
 bool Canvas::MakeLayer(bool reads_samples) {
   // Where shaders cannot read samples, a renderbuffer is resolved into a texture by a blit, which averages
   // square roots instead of light: edges are a little darker then.
-  if (!reads_samples) {
-    auto layer = Target::Make({.width_px = options_.width_px, .height_px = options_.height_px});
+  if (!has_samples() || !reads_samples) {
+    auto layer = Target::Make({.width_px = layer_width_px(), .height_px = layer_height_px()});
     if (!layer) return false;
     layer_ = std::move(*layer);
   }
-  depth_ = NewRenderbuffer(options_, GL_DEPTH_COMPONENT16);
+  const int samples = has_samples() ? kSamples : 0;
+  depth_ = NewRenderbuffer(samples, layer_width_px(), layer_height_px(), GL_DEPTH_COMPONENT16);
   layer_frame_ = NewFramebuffer();
   AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
-  if (reads_samples) {
+  if (!has_samples()) {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, layer_.texture().id(), 0);
+  } else if (reads_samples) {
     samples_texture_ = NewSamplesTexture(options_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
                            samples_texture_.id(), 0);
   } else {
-    samples_ = NewRenderbuffer(options_, GL_RGBA8);
+    samples_ = NewRenderbuffer(samples, layer_width_px(), layer_height_px(), GL_RGBA8);
     AttachRenderbuffer(GL_COLOR_ATTACHMENT0, samples_);
   }
   return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
+int Canvas::layer_width_px() const {
+  return has_samples() ? options_.width_px : Supersampled(options_.width_px);
+}
+int Canvas::layer_height_px() const {
+  return has_samples() ? options_.height_px : Supersampled(options_.height_px);
+}
+
+// Rounded outwards: whoever makes the layer smaller reads what lies partly within the box.
+Box Canvas::OnLayer(const Box& box) const {
+  if (has_samples() || box.empty()) return box;
+  const double across = double(layer_width_px()) / options_.width_px;
+  const double up = double(layer_height_px()) / options_.height_px;
+  const int left_px = static_cast<int>(std::floor(box.left_px * across));
+  const int bottom_px = static_cast<int>(std::floor(box.bottom_px * up));
+  const int right_px = static_cast<int>(std::ceil((box.left_px + box.width_px) * across));
+  const int top_px = static_cast<int>(std::ceil((box.bottom_px + box.height_px) * up));
+  return {left_px, bottom_px, std::min(right_px, layer_width_px()) - left_px,
+          std::min(top_px, layer_height_px()) - bottom_px};
+}
+
 // Only the parts are cleared: what lies outside of them is never read.
 void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
-  Aim(layer_frame_.id(), options_, whole);
-  on_picture_ = false;
+  Aim(layer_frame_.id(), layer_width_px(), layer_height_px(), OnLayer(whole));
   // glClear obeys the mask, which the last pass may have left off.
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 0);
   for (const Box& part : parts) {
     if (part.empty()) continue;
-    Within(part);
+    CutTo(OnLayer(part));
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
-  Within(whole);
+  CutTo(OnLayer(whole));
 }
 
 void Canvas::BeginPicture() const {
-  Aim(picture_.id(), options_, {});
-  on_picture_ = true;
+  Aim(picture_.id(), options_.width_px, options_.height_px, {});
 }
 
 void Canvas::Within(const Box& box) const {
-  glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
-  if (on_picture_) damage_.Add(box);
+  CutTo(box);
+  damage_.Add(box);
 }
 
 // Within counts boxes, not pixels: what is drawn is all of a box, or near it.
@@ -138,7 +168,7 @@ Damage Canvas::AcquireDamage() const {
   return std::exchange(damage_, Damage(options_.width_px, options_.height_px));
 }
 
-// Where shaders read samples the layer is bound as it is, and nothing is copied.
+// Where shaders read samples, and where there are none, the layer is bound as it is, and nothing is copied.
 void Canvas::BindLayer(unsigned unit, const Box& box) const {
   glBindFramebuffer(GL_FRAMEBUFFER, layer_frame_.id());
   ForgetDepth();
@@ -148,6 +178,7 @@ void Canvas::BindLayer(unsigned unit, const Box& box) const {
     return;
   }
   glBindTexture(GL_TEXTURE_2D, layer_.texture().id());
+  if (!has_samples()) return;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, layer_.id());
   glDisable(GL_SCISSOR_TEST);
   // A resolve copies samples to the same place: GLES 3.0 allows no other box, and demands NEAREST.

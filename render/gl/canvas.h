@@ -1,4 +1,4 @@
-// What a frame is drawn on: a layer with samples and depth, and the picture that layers are laid on.
+// What a frame is drawn on: a layer with depth, and the picture that layers are laid on.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,27 @@
 
 namespace kaori::gl {
 
-// Each 1 up to the driver's limit (GL_MAX_RENDERBUFFER_SIZE).
+// How edges of what is drawn on a layer become smooth.
+enum class Antialiasing : std::uint8_t {
+  // Four samples a pixel, which share their colour within a triangle: next to nothing on a graphics card. A software
+  // renderer takes more than twice as long for a figure of many small triangles.
+  kMultisample,
+  // One sample a pixel of a layer that is larger than the picture (kSupersampling), and is made smaller as it is laid.
+  kSupersample,
+};
+
+// So many times as wide and as high as the picture is a layer that is made smaller.
+constexpr float kSupersampling = 4.0F / 3;
+
+// Each size 1 up to the driver's limit (GL_MAX_RENDERBUFFER_SIZE), as the layer has it.
 struct CanvasOptions {
   int width_px = 0;
   int height_px = 0;
+  Antialiasing antialiasing = Antialiasing::kSupersample;
 };
 
-// The picture is sRGB-coded and is written with linear light: blending on it is right. A layer has four
-// samples a pixel and depth; it holds square roots of linear light, 8 bit, and coverage in alpha. Coding each
+// The picture is sRGB-coded and is written with linear light: blending on it is right. A layer has depth, and the samples
+// of its antialiasing; it holds square roots of linear light, 8 bit, and coverage in alpha. Coding each
 // sample as sRGB costs a software renderer half its time, a square root next to nothing; whoever lays the
 // layer on the picture squares it, sample by sample.
 class Canvas {
@@ -30,18 +43,18 @@ class Canvas {
   static Result<Canvas> Make(const CanvasOptions& options);
 
   // Drawing goes to the layer within `whole` from here on; `parts` are cleared to nothing, and their depth to
-  // far.
+  // far. Both are pixels of the picture.
   void BeginLayer(std::span<const Box> parts, const Box& whole) const;
   // Drawing goes to the picture from here on, without depth: nowhere, until Within says where. What is
   // written is linear light, which the framebuffer codes (GL_FRAMEBUFFER_SRGB is always on in GLES).
   void BeginPicture() const;
-  // Limits drawing to `box` by the scissor test. Of the picture, all of `box` counts as drawn on.
+  // Limits drawing to `box` of the picture by the scissor test. All of `box` counts as drawn on.
   void Within(const Box& box) const;
   // What of the picture was drawn on since this was asked last, or since the canvas was made: then all of it.
   Damage AcquireDamage() const;
-  // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
-  // Its depth is given up, so nothing more can be drawn on this layer. Leaves the layer's or the resolved
-  // framebuffer bound, and without samples the scissor test off: BeginPicture comes next.
+  // The layer as a texture: one with samples if reads_samples(), else of single texels, resolved within `box` of the
+  // picture now where it has samples. Its depth is given up, so nothing more can be drawn on this layer. Leaves the layer's
+  // or the resolved framebuffer bound, and the scissor test perhaps off: BeginPicture comes next.
   void BindLayer(unsigned unit, const Box& box) const;
 
   // Waits until the picture is finished and copies it out: R, G, B, X; the bottom row first. `bytes` holds
@@ -70,6 +83,15 @@ class Canvas {
   int height_px() const { return options_.height_px; }
   // All of the canvas.
   Box whole() const { return {0, 0, options_.width_px, options_.height_px}; }
+  // Of the layer, whose viewport shows what the picture's does: the picture's size, or larger (kSupersampling, rounded up).
+  int layer_width_px() const;
+  int layer_height_px() const;
+  // What of the layer holds a box of the picture.
+  Box OnLayer(const Box& box) const;
+  // Whether a pixel of the layer has several samples.
+  bool has_samples() const { return options_.antialiasing == Antialiasing::kMultisample; }
+  // Whether it is bound as a texture with them.
+  bool reads_samples() const { return samples_texture_.id() != 0; }
 
  private:
   explicit Canvas(const CanvasOptions& options)
@@ -84,15 +106,14 @@ class Canvas {
   Target picture_;
   Handle samples_texture_;  // The layer's samples: a texture where shaders read single samples,
   Handle samples_;          // else a renderbuffer,
-  Target layer_;            // which is resolved into this.
+  Target layer_;            // which is resolved into this; without samples this is the layer.
   // Sixteen bits, with the layer's samples; never read by shaders.
   Handle depth_;
   // With the samples and the depth.
   Handle layer_frame_;
-  // These belong to the picture, which drawing changes as well; the last says whether it is drawn on now.
+  // These belong to the picture, which drawing changes as well.
   mutable Stamp stamp_;
   mutable Damage damage_;
-  mutable bool on_picture_ = false;
 };
 
 }  // namespace kaori::gl

@@ -15,9 +15,9 @@ constexpr float kFlatArcs = 0.45F;
 // Half of the widest shoulders.
 constexpr float kShoulders_m = 0.19F;
 
-// Where the collars sit in the picture, and how far the arcs reach from there to the farthest corner of
+// Where the collars sit on the layer, and how far the arcs reach from there to the farthest corner of
 // clothes. Pixels.
-glm::vec3 CollarInPicture(const Dressing& dressing, const FrameBlock& frame) {
+glm::vec3 CollarOnLayer(const Dressing& dressing, const FrameBlock& frame) {
   const glm::vec2 half_px = 0.5F * glm::vec2(frame.sway.z, frame.sway.w);
   const glm::vec3 collar_m(0, dressing.collar_m - dressing.sinks_m, 0);
   const glm::vec2 collar_px = (1.0F + Project(frame, collar_m, Follows::kBody)) * half_px;
@@ -90,7 +90,7 @@ void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
   const Variant& variant = dressing.whole() ? whole_ : changing_;
   gl::Apply({});
   variant.program.Use();
-  gl::Program::Set(variant.collar, CollarInPicture(dressing, frame));
+  gl::Program::Set(variant.collar, CollarOnLayer(dressing, frame));
   gl::Program::Set(variant.neck, glm::vec3(dressing.neck_m, dressing.sinks_m));
   for (const WornGarments& worn : dressing.worn()) {
     if (worn.from >= worn.to) continue;  // They lend their colour alone.

@@ -129,9 +129,9 @@ LongestEdges MeasureEdges(const face::Cast& cast) {
   return edges;
 }
 
-FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
-                        const LongestEdges& edges, const Reaches& reaches) {
-  Bands bands({frame.sway.z, frame.sway.w});
+FigureRegion FindFigure(const FrameBlock& frame, glm::vec2 picture_px, const face::Shape& shape,
+                        const Appearance& appearance, const LongestEdges& edges, const Reaches& reaches) {
+  Bands bands(picture_px);
   const glm::vec2 per_metre = SeenPerMetre(frame);
   for (std::size_t i = 0; i < shape.cage.size(); ++i) {
     float margin_m = std::max(kLashes_m, reaches.handles_m) + std::abs(frame.up.w);

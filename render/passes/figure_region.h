@@ -39,7 +39,7 @@ struct Reaches {
 // Encloses the face, with what sticks out of it, and all that is worn in this frame, hair as it swings. Works
 // on the cage: the fine mesh stays within part of an edge of it, which is what `edges` are for. `appearance`
 // must have been weighed for this frame. Allocates nothing; projects each vertex of the cage once or twice.
-FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
-                        const LongestEdges& edges, const Reaches& reaches = {});
+FigureRegion FindFigure(const FrameBlock& frame, glm::vec2 picture_px, const face::Shape& shape,
+                        const Appearance& appearance, const LongestEdges& edges, const Reaches& reaches = {});
 
 }  // namespace kaori::passes

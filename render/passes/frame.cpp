@@ -64,10 +64,10 @@ Neck AboveCollar(Neck neck, float collar_m) {
 }
 
 // Numbers that share a vec4 are there to fill std140's padding.
-FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share) {
+FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 layer_px, float soft_share) {
   FrameBlock f{};
   f.view = scene::ViewOf(scene.camera);
-  f.projection = scene::ProjectionOf(scene.camera, canvas_px.x / canvas_px.y);
+  f.projection = scene::ProjectionOf(scene.camera, layer_px.x / layer_px.y);
   const glm::quat turn = scene::TurnOf(scene.head);
   f.turn = {turn.x, turn.y, turn.z, turn.w};
   f.pivot = {neck.pivot, neck.still_below_m};
@@ -76,7 +76,7 @@ FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canv
   f.fill = {glm::normalize(kFillLight), soft_share};
   f.up = {glm::mat3(f.view) * glm::vec3(0, 1, 0), scene.breath * kBreath_m};
   const auto sway = [&](scene::HairPart part) { return scene.hair_sway_rad[static_cast<std::size_t>(part)]; };
-  f.sway = {sway(scene::HairPart::kFringe), canvas_px};
+  f.sway = {sway(scene::HairPart::kFringe), layer_px};
   f.sway_sides = {sway(scene::HairPart::kLeft), sway(scene::HairPart::kRight)};
   const glm::vec3 shadowed_m = neck.pivot + kShadowed_m + scene.head.shift_m;
   f.lamp = LampOf(glm::vec3(f.key), glm::vec3(f.view * glm::vec4(shadowed_m, 1)));
@@ -103,7 +103,7 @@ glm::vec2 Project(const FrameBlock& f, glm::vec3 point, Follows follows) {
   return glm::vec2(clip) / std::max(clip.w, 1e-3F);
 }
 
-float HeightInPicture_px(const FrameBlock& f, glm::vec3 point, Follows follows) {
+float HeightOnLayer_px(const FrameBlock& f, glm::vec3 point, Follows follows) {
   return (0.5F + 0.5F * Project(f, point, follows).y) * f.sway.w;
 }
 

@@ -38,12 +38,14 @@ struct FrameBlock {
   glm::vec4 fill;
   // xyz: the world's up in the camera's frame; w: metres that breath lifts the shoulders.
   glm::vec4 up;
-  // xy: how far tips of hair swing over the forehead, radians, sideways and forwards; zw: the canvas in pixels.
+  // xy: how far tips of hair swing over the forehead, radians, sideways and forwards; zw: what is drawn on, in pixels.
   glm::vec4 sway;
   // The same of hair on the character's left (xy) and right (zw).
   glm::vec4 sway_sides;
   // Camera to the key lamp's clip space: parallel light, the head and the collar within it.
   glm::mat4 lamp;
+  // x: what covers no more than this of a pixel is left out: 0 where a pixel has samples for less than all of it.
+  glm::vec4 least;
 };
 
 // Where the neck starts and ends to follow the head, from the reference face. Heights along Y: below the
@@ -61,8 +63,8 @@ Neck NeckOf(const face::Cast& cast);
 Neck AboveCollar(Neck neck, float collar_m);
 
 // `soft_share` 0..1: how much of the textured styles is today's soft light; the rest is the plain one of
-// 1993. `canvas_px`: width and height, neither 0.
-FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share);
+// 1993. `layer_px`: width and height of what is drawn on, neither 0.
+FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 layer_px, float soft_share);
 
 // What a point of the figure follows, as frame.glsl moves it.
 enum class Follows : std::uint8_t {
@@ -80,7 +82,7 @@ glm::vec3 Placed(const FrameBlock& frame, glm::vec3 point, Follows follows);
 // The same in the picture: x, y from -1 to 1, right and up, more outside of it.
 glm::vec2 Project(const FrameBlock& frame, glm::vec3 point, Follows follows);
 // Its height there, pixels from below.
-float HeightInPicture_px(const FrameBlock& frame, glm::vec3 point, Follows follows);
+float HeightOnLayer_px(const FrameBlock& frame, glm::vec3 point, Follows follows);
 
 // Compiles a program of the shader library and binds its Frame block to kFrameBinding. `defines` are lines
 // such as "#define TEXTURES 4\n". Errors: as gl::Program::Make.

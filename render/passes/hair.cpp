@@ -172,8 +172,8 @@ void HairPass::DrawDepth(const Appearance& appearance, const Hairdo& hairdo, con
 
 void HairPass::DrawBy(const Way& way, const Appearance& appearance, const Hairdo& hairdo,
                       const FrameBlock& frame) const {
-  const float crown_px = HeightInPicture_px(frame, kCrown_m, Follows::kHead);
-  const float tips_px = HeightInPicture_px(frame, kTips_m, Follows::kHead);
+  const float crown_px = HeightOnLayer_px(frame, kCrown_m, Follows::kHead);
+  const float tips_px = HeightOnLayer_px(frame, kTips_m, Follows::kHead);
   const glm::vec2 span_px(crown_px, std::max(crown_px - tips_px, 1.0F));
   for (const WornHair& worn : hairdo.worn()) {
     if (!worn.whole && way.locks == Locks::kBehind) continue;

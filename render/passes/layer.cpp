@@ -24,10 +24,9 @@ constexpr float kRule_m = 0.1F;
 // The layer itself is read from unit 0.
 constexpr int kBehindUnit = 1;
 
-// Without single samples the layer is resolved first, and edges are blended before they are squared: a little
-// darker.
-Result<gl::Program> MakeLayer(std::string_view fragment, std::string defines) {
-  const bool reads_samples = gl::Context::ReadsSamples();
+// Where shaders cannot read single samples such a layer is resolved first, and edges are blended before they are squared: a
+// little darker.
+Result<gl::Program> MakeLayer(std::string_view fragment, std::string defines, bool reads_samples) {
   if (reads_samples) defines += "#define SAMPLES\n";
   auto program = gl::Program::Make({.library = ShaderLibrary(),
                                     .vertex = "canvas.vert",
@@ -38,6 +37,11 @@ Result<gl::Program> MakeLayer(std::string_view fragment, std::string defines) {
   program->BindSampler("layer", 0);
   program->BindSampler("behind", kBehindUnit);
   return program;
+}
+
+glm::vec2 TexelsPerPixel(const gl::Canvas& canvas) {
+  return glm::vec2(canvas.layer_width_px(), canvas.layer_height_px()) /
+         glm::vec2(canvas.width_px(), canvas.height_px());
 }
 
 struct Sides {
@@ -57,8 +61,8 @@ Sides Beside(const gl::Box& band, const gl::Box& wide) {
 }  // namespace
 
 // As long as the longer of two rules on the head, which turns one of them away at most.
-glm::vec4 DotsOn(const FrameBlock& frame) {
-  const glm::vec2 half_px = 0.5F * glm::vec2(frame.sway.z, frame.sway.w);
+glm::vec4 DotsOn(const FrameBlock& frame, glm::vec2 picture_px) {
+  const glm::vec2 half_px = 0.5F * picture_px;
   const auto in_picture_px = [&](glm::vec3 point) {
     return (1.0F + Project(frame, point, Follows::kHead)) * half_px;
   };
@@ -76,6 +80,7 @@ LayerPass::Variant LayerPass::Named(gl::Program program) {
   Variant v;
   v.dim = program.Find("dim");
   v.opacity = program.Find("opacity");
+  v.per_pixel = program.Find("per_pixel");
   v.print = program.Find("print");
   v.dots = program.Find("dots");
   v.program = std::move(program);
@@ -83,18 +88,27 @@ LayerPass::Variant LayerPass::Named(gl::Program program) {
 }
 
 // Print is a variant of its own, so that other figures do not pay for its dots.
-Result<LayerPass> LayerPass::Open() {
-  auto backdrop = MakeLayer("backdrop.frag", "");
-  if (!backdrop) return tl::unexpected(backdrop.error());
-  auto plain = MakeLayer("layer.frag", "");
+Result<LayerPass::Pair> LayerPass::MakePair(bool reads_samples) {
+  auto plain = MakeLayer("layer.frag", "", reads_samples);
   if (!plain) return tl::unexpected(plain.error());
-  auto printed = MakeLayer("layer.frag", "#define PRINT\n");
+  auto printed = MakeLayer("layer.frag", "#define PRINT\n", reads_samples);
   if (!printed) return tl::unexpected(printed.error());
+  return Pair{Named(std::move(*plain)), Named(std::move(*printed))};
+}
+
+Result<LayerPass> LayerPass::Open() {
+  auto backdrop = MakeLayer("backdrop.frag", "", false);
+  if (!backdrop) return tl::unexpected(backdrop.error());
+  auto texels = MakePair(false);
+  if (!texels) return tl::unexpected(texels.error());
   LayerPass pass;
   pass.backdrop_ = Named(std::move(*backdrop));
-  pass.plain_ = Named(std::move(*plain));
-  pass.printed_ = Named(std::move(*printed));
+  pass.of_texels_ = std::move(*texels);
   pass.everywhere_ = gl::Mesh({}, 3);
+  if (!gl::Context::ReadsSamples()) return pass;
+  auto samples = MakePair(true);
+  if (!samples) return tl::unexpected(samples.error());
+  pass.of_samples_ = std::move(*samples);
   return pass;
 }
 
@@ -112,11 +126,13 @@ void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const 
   canvas.BindLayer(0, figure.whole);
   const bool replaces = laying.opacity >= 1;
   gl::Apply({.depth = gl::Depth::kOff, .blend = replaces ? gl::Blend::kReplace : gl::Blend::kOver});
-  const Variant& variant = laying.print > 0 ? printed_ : plain_;
+  const Pair& pair = canvas.reads_samples() ? of_samples_ : of_texels_;
+  const Variant& variant = laying.print > 0 ? pair.printed : pair.plain;
   variant.program.Use();
   behind.picture.Bind(kBehindUnit);
   gl::Program::Set(variant.dim, behind.dim);
   gl::Program::Set(variant.opacity, laying.opacity);
+  gl::Program::Set(variant.per_pixel, TexelsPerPixel(canvas));
   gl::Program::Set(variant.print, glm::vec2(laying.print, laying.exposure));
   gl::Program::Set(variant.dots, laying.dots);
   canvas.BeginPicture();

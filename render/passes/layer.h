@@ -13,10 +13,10 @@ namespace kaori::passes {
 
 // The dots of a print go with the head: xy: its middle in the picture, pixels; zw: along a row of dots,
 // radians of their wave for each pixel.
-glm::vec4 DotsOn(const FrameBlock& frame);
+glm::vec4 DotsOn(const FrameBlock& frame, glm::vec2 picture_px);
 
 // Reads each sample of the layer, squares it to light, and blends light: with samples averaged first, edges
-// would be darker than they are. Knows what the last frame left on a canvas (Canvas::Stamp), so that a
+// would be darker than they are. A larger layer is made smaller by the mean of what each pixel covers. Knows what the last frame left on a canvas (Canvas::Stamp), so that a
 // backdrop at rest is not drawn again.
 class LayerPass {
  public:
@@ -62,15 +62,23 @@ class LayerPass {
     gl::Program program;
     int dim = -1;
     int opacity = -1;
+    int per_pixel = -1;
     int print = -1;
     int dots = -1;
   };
   // Asks where the uniforms are.
   static Variant Named(gl::Program program);
 
-  // Of the figure, as it is and as a poster's print. They read the layer's samples where the context can.
-  Variant plain_;
-  Variant printed_;
+  // Of the figure, as it is and as a poster's print.
+  struct Pair {
+    Variant plain;
+    Variant printed;
+  };
+  static Result<Pair> MakePair(bool reads_samples);
+
+  // Of layers with samples, where the context reads them, and of all others.
+  Pair of_samples_;
+  Pair of_texels_;
   Variant backdrop_;
   gl::Mesh everywhere_;
 

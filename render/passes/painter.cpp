@@ -14,6 +14,9 @@ using scene::Style;
 // In the order in which they are laid: later ones over earlier ones.
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
+// What covers more than this of a pixel is drawn where there is one sample a pixel.
+constexpr float kHalfOfAPixel = 0.5F;
+
 constexpr float kPainterWhole = 1 - kPainterUnseen;
 
 // Behind glowing lines the stage is darker.
@@ -131,6 +134,12 @@ Result<void> Painter::Parts::SetQuality(Quality wanted) {
   return {};
 }
 
+// Finer qualities are asked of a processor to see what a graphics card would draw.
+gl::Antialiasing Painter::Parts::antialiasing() const {
+  return by_processor && quality == Quality::kBasic ? gl::Antialiasing::kSupersample
+                                                    : gl::Antialiasing::kMultisample;
+}
+
 // As large as at every frame before, so that nothing is allocated.
 void Painter::Parts::ComposeAtRest(const face::Weights& weights) {
   face::Weights at_rest;
@@ -179,7 +188,8 @@ void Painter::Parts::DrawGroup(Group group, const scene::Scene& scene, const fac
 // Writes what all shaders of this frame share, and keeps it for what is worked out here.
 void Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas& canvas) {
   const Neck worn = dressing.count > 0 ? AboveCollar(neck, dressing.collar_m) : neck;
-  block = MakeFrame(scene, worn, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
+  block = MakeFrame(scene, worn, {canvas.layer_width_px(), canvas.layer_height_px()}, SoftShare(scene));
+  if (!canvas.has_samples()) block.least.x = kHalfOfAPixel;
   frame.Write(std::as_bytes(std::span(&block, 1)));
   frame.BindUniforms(kFrameBinding);
 }
@@ -191,11 +201,12 @@ Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context& context, const
   return Open(context, cast, Preparation(cast));
 }
 
-Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context&, const face::Cast& cast,
+Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context& context, const face::Cast& cast,
                                                Preparation prepared, Quality quality) {
   const std::vector<gl::MipLevel> skin = std::move(prepared.skin);
   const int first_skin = prepared.first_skin;
   auto parts = std::make_unique<Parts>(cast, std::move(prepared));
+  parts->by_processor = QualityFor(context.renderer()) == Quality::kBasic;
   if (auto opened = parts->Open(cast, quality); !opened) return tl::unexpected(opened.error());
   if (!skin.empty()) parts->body->Provide(first_skin, skin);
   return std::unique_ptr<Painter>(new Painter(std::move(parts)));
@@ -215,7 +226,8 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   p.dressing = p.necks.Dress(shape.faces);
   p.hairdo.Comb(p.appearance, p.head_fit, shape.faces, HairShare(scene));
   p.BindFrame(scene, canvas);
-  const FigureRegion figure = FindFigure(p.block, shape, p.appearance, p.edges,
+  const glm::vec2 picture_px(canvas.width_px(), canvas.height_px());
+  const FigureRegion figure = FindFigure(p.block, picture_px, shape, p.appearance, p.edges,
                                          {.handles_m = HandlesPass::ReachOf(scene.handles),
                                           .clothes_m = p.dressing.reach_m(),
                                           .hair_m = p.hairdo.reach_m()});
@@ -250,7 +262,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
                  {.opacity = weight / laid,
                   .print = group == Group::kTextured ? print : 0,
                   .exposure = scene.light.exposure,
-                  .dots = print > 0 ? DotsOn(p.block) : glm::vec4(0, 0, 1, 0)});
+                  .dots = print > 0 ? DotsOn(p.block, picture_px) : glm::vec4(0, 0, 1, 0)});
   }
   p.caption->Draw(scene.caption, canvas);
 }
@@ -259,10 +271,16 @@ Quality Painter::quality() const {
   return parts_->quality;
 }
 
+gl::Antialiasing Painter::antialiasing() const {
+  return parts_->antialiasing();
+}
+
 // What was warmed up of the body is to be warmed up again.
 Result<void> Painter::SetQuality(Quality quality) {
   auto set = parts_->SetQuality(quality);
-  if (set) parts_->warmed_up = 0;
+  if (!set) return set;
+  parts_->warmed_up = 0;
+  parts_->backstage.reset();
   return set;
 }
 

@@ -34,6 +34,10 @@ class Painter {
   // draws as before.
   Result<void> SetQuality(Quality quality);
 
+  // What a canvas is to have for this quality to look as it should, soonest: a processor spends most of a frame on the
+  // samples of small triangles. Any other canvas is drawn on, too.
+  gl::Antialiasing antialiasing() const;
+
   // Makes the picture of `scene` on `canvas`, of any size. Values that are none are replaced (see
   // sane_scene.h). Allocates nothing, but where a backdrop's picture, a skin, a caption or a canvas's size is
   // new. Returns when the driver has the commands; the picture is finished when it is read or shown.

@@ -23,7 +23,7 @@ void Painter::Parts::DrawShadows() {
 void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
   scattered = nullptr;
   if (!scatter || body->ScatterOf(shape.faces) < kPainterUnseen) return;
-  if (!scatter->Begin(canvas.width_px(), canvas.height_px(), figure)) return;
+  if (!scatter->Begin(canvas.layer_width_px(), canvas.layer_height_px(), canvas.OnLayer(figure))) return;
   body->DrawLight(surface, shape, *depths);
   scatter->Spread();
   scattered = &*scatter;

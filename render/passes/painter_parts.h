@@ -49,6 +49,7 @@ struct Painter::Parts {
   Result<void> Open(const face::Cast& cast, Quality quality);
   // Opens what draws in this quality, and changes nothing where that fails.
   Result<void> SetQuality(Quality quality);
+  gl::Antialiasing antialiasing() const;
   // Composes the faces of these weights at rest, for the fine quality: what an expression presses is measured from there.
   void ComposeAtRest(const face::Weights& weights);
   // Draws what the key lamp sees into `depths`. For the fine quality, before the layer is begun; the frame is bound.
@@ -89,6 +90,8 @@ struct Painter::Parts {
   // Borrowed.
   const face::Cast* painted;
   Quality quality = Quality::kBasic;
+  // Whether the context draws without a graphics card.
+  bool by_processor = false;
   // Of the key lamp; made for the fine quality alone.
   std::optional<gl::DepthMap> depths;
   // Null where the quality is basic.

@@ -76,7 +76,8 @@ bool Painter::WarmUpStep() {
   if (p.warmed_up >= kSteps) return false;
   if (!p.backstage) {
     constexpr int kSize_px = 16;
-    auto canvas = gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px});
+    auto canvas =
+        gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px, .antialiasing = p.antialiasing()});
     if (!canvas) return false;
     p.backstage = std::move(*canvas);
   }

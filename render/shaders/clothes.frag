@@ -5,7 +5,7 @@ in vec3 lit;
 layout(location = 0) out vec4 colour;
 #ifdef CHANGING
 uniform vec4 fit;          // x, y: these clothes are seen where the order lies within [x, y).
-uniform vec3 collar_px;    // xy: the collars' place in the picture; z: how far from there clothes reach.
+uniform vec3 collar_px;    // xy: the collars' place on the layer; z: how far from there clothes reach.
 const float kFlat = 0.45;  // Shoulders are wider than they are high, and so are the arcs.
 
 float Order() {

@@ -8,9 +8,10 @@ layout(std140) uniform Frame {
   vec4 key;         // xyz: unit direction towards the key light, camera's frame; w: exposure.
   vec4 fill;        // xyz: as key, of the fill light; w: share of today's soft light, the rest is 1993's plain one.
   vec4 up;          // xyz: the world's up in the camera's frame; w: metres that breath lifts the shoulders.
-  vec4 sway;        // xy: how far tips of the fringe swing, radians, sideways and forwards; zw: canvas in pixels.
+  vec4 sway;        // xy: how far tips of the fringe swing, radians, sideways and forwards; zw: what is drawn on, in pixels.
   vec4 sway_sides;  // xy: the same of hair on the character's left; zw: on the right.
   mat4 lamp;        // Camera to the key lamp's clip space, for its shadows.
+  vec4 least;       // x: what covers no more than this of a pixel is left out.
 };
 
 vec3 Rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }

@@ -2,8 +2,10 @@
 // ends in strands; and hair of several faces shares the picture from the crown down. At a border the lower hair comes in
 // under the upper one, which then goes: one of them always covers, and neither is seen as dots.
 // BY_PIXEL: strands are lit one by one, in the lamp's shadows, and end unevenly.
-#ifdef BY_PIXEL
+#if defined(GROWTH) || defined(BY_PIXEL)
 #include "frame.glsl"
+#endif
+#ifdef BY_PIXEL
 #include "light.glsl"
 #include "fine_hair.glsl"
 centroid in vec3 in_camera;
@@ -19,7 +21,7 @@ uniform vec3 gleam;
 #ifdef GROWTH
 in float left_of;     // As hair.vert.
 uniform vec3 part;    // xy: it is seen where the order lies within [x, y); z: 1 for what is hard, whose share y is everywhere.
-uniform vec2 span_px;  // Height in the picture of the crown, and from there down to the tips.
+uniform vec2 span_px;  // Height on the layer of the crown, and from there down to the tips.
 #endif
 layout(location = 0) out vec4 colour;
 
@@ -64,7 +66,7 @@ void main() {
   present *= clamp(left * 12.0, 0.0, 1.0) * Share(stripe);
 #endif
 #if defined(GROWTH) || defined(BY_PIXEL)
-  if (present <= 0.0) discard;
+  if (present <= least.x) discard;
 #endif
   colour = vec4(sqrt(max(c, 0.0)), present);  // Beyond a triangle's edge light may fall below 0.
 }

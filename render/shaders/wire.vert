@@ -29,7 +29,7 @@ void main() {
   vec2 half_size = 0.5 * sway.zw;
   vec2 way = to.xy / to.w * half_size - from.xy / from.w * half_size;
   vec2 side = normalize(vec2(-way.y, way.x) + vec2(1e-6, 0.0));
-  float half_width_px = 0.62 * max(0.75, sway.w / 900.0);   // Lines grow with the picture.
+  float half_width_px = 0.62 * max(1.0, sway.w / 900.0);   // Lines grow with the layer.
   float reach = half_width_px + 1.0;
   gl_Position = corner.x < 0.5 ? from : to;
   gl_Position.xy += side * corner.y * reach / half_size * gl_Position.w;

@@ -40,7 +40,9 @@ class Garments : public ::testing::Test {
     auto context = gl::Context::Open();
     ASSERT_TRUE(context) << context.error().message();
     context_ = std::move(*context);
-    auto canvas = gl::Canvas::Make({.width_px = kWidth_px, .height_px = kHeight_px});
+    // Borders between garments lie at pixels of the layer: here at those of the picture, none of which they blend.
+    auto canvas = gl::Canvas::Make(
+        {.width_px = kWidth_px, .height_px = kHeight_px, .antialiasing = gl::Antialiasing::kMultisample});
     ASSERT_TRUE(canvas) << canvas.error().message();
     canvas_.emplace(std::move(*canvas));
     black_ = OpenPainter();

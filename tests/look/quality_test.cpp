@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -41,16 +40,12 @@ class QualityTest : public ::testing::Test {
     auto context = gl::Context::Open();
     ASSERT_TRUE(context) << context.error().message();
     context_ = std::move(*context);
-    auto canvas = gl::Canvas::Make({.width_px = kPair_width_px, .height_px = kPair_height_px});
-    ASSERT_TRUE(canvas) << canvas.error().message();
-    canvas_.emplace(std::move(*canvas));
     auto painter = passes::Painter::Open(*context_, *cast_);
     ASSERT_TRUE(painter) << painter.error().message();
     painter_ = std::move(*painter);
   }
   static void TearDownTestSuite() {
     painter_.reset();
-    canvas_.reset();
     context_.reset();
     cast_.reset();
   }
@@ -68,20 +63,21 @@ class QualityTest : public ::testing::Test {
     const auto set = painter_->SetQuality(quality);
     EXPECT_TRUE(set) << set.error().message();
     EXPECT_EQ(painter_->quality(), quality);
-    painter_->Draw(scene, *canvas_);
+    const auto canvas = gl::Canvas::Make(
+        {.width_px = kPair_width_px, .height_px = kPair_height_px, .antialiasing = painter_->antialiasing()});
+    EXPECT_TRUE(canvas) << canvas.error().message();
+    painter_->Draw(scene, *canvas);
     auto picture = image::Picture::Blank(kPair_width_px, kPair_height_px);
-    canvas_->ReadPixels(picture.rgbx);
+    canvas->ReadPixels(picture.rgbx);
     return picture;
   }
 
   static std::unique_ptr<face::Cast> cast_;
   static std::unique_ptr<gl::Context> context_;
-  static std::optional<gl::Canvas> canvas_;
   static std::unique_ptr<passes::Painter> painter_;
 };
 std::unique_ptr<face::Cast> QualityTest::cast_;
 std::unique_ptr<gl::Context> QualityTest::context_;
-std::optional<gl::Canvas> QualityTest::canvas_;
 std::unique_ptr<passes::Painter> QualityTest::painter_;
 
 TEST_F(QualityTest, ShowsTheSameFaces) {
