@@ -91,10 +91,12 @@ scene::Scene SceneAt(int frame, scene::Style style) {
   return scene;
 }
 
-// A canvas and the memory that its picture is read into.
+// A canvas as the painter wants it, and the memory that its picture is read into.
 struct Screen {
-  explicit Screen(Size size)
-      : canvas(*gl::Canvas::Make({.width_px = size.width_px, .height_px = size.height_px})),
+  Screen(Size size, const passes::Painter& painter)
+      : canvas(*gl::Canvas::Make({.width_px = size.width_px,
+                                  .height_px = size.height_px,
+                                  .antialiasing = painter.antialiasing()})),
         bytes(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) * 4) {}
   gl::Canvas canvas;
   std::vector<std::uint8_t> bytes;
@@ -105,7 +107,7 @@ std::string NameOf(const char* what, Size size) {
 }
 
 void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<Metric>& metrics) {
-  Screen screen(size);
+  Screen screen(size, painter);
   for (int style = 0; style < scene::kStyleCount; ++style) {
     const auto draw = [&](int frame) {
       painter.Draw(SceneAt(frame, static_cast<scene::Style>(style)), screen.canvas);
@@ -123,7 +125,7 @@ void MeasureFine(const gl::Context& context, passes::Painter& painter, int frame
        {std::pair{passes::Quality::kFine, "fine"}, std::pair{passes::Quality::kFinest, "finest"}}) {
     if (!Opened(painter.SetQuality(quality))) return;
     for (const Size size : kSizes) {
-      Screen screen(size);
+      Screen screen(size, painter);
       const auto draw = [&](int frame) {
         painter.Draw(SceneAt(frame, scene::Style::kSoft), screen.canvas);
         screen.canvas.ReadPixels(screen.bytes);
@@ -164,7 +166,7 @@ Metric Ratio(const char* name, const DrawOne& ours, const DrawOne& theirs, int r
 
 Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds) {
   const Size size = kSizes[0];
-  Screen screen(size);
+  Screen screen(size, painter);
   BareDraw bare(cast, SceneAt(20, scene::Style::kSoft), {size.width_px, size.height_px});
   const DrawOne ours = [&](int frame) {
     painter.Draw(SceneAt(20 + (frame & 1), scene::Style::kSoft), screen.canvas);
@@ -176,7 +178,7 @@ Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds
 
 // F2b: beside the least that draws as many triangles.
 void MeasureOverLitTriangles(passes::Painter& painter, Size size, int rounds, std::vector<Metric>& metrics) {
-  Screen screen(size);
+  Screen screen(size, painter);
   LitTriangles lit(size.width_px, size.height_px);
   const DrawOne ours = [&](int frame) {
     painter.Draw(SceneAt(20 + (frame & 1), scene::Style::kSoft), screen.canvas);
@@ -195,7 +197,7 @@ void MeasureCopy(passes::Painter& painter, Size size, int frames, std::vector<Me
   auto pass = passes::ScreenPass::Open();
   auto window = gl::Target::Make({.width_px = size.width_px, .height_px = size.height_px});
   if (!Opened(pass) || !Opened(window)) return;
-  Screen screen(size);
+  Screen screen(size, painter);
   for (const bool whole : {true, false}) {
     Costs costs;
     for (int frame = -3; frame < frames; ++frame) {
@@ -225,9 +227,9 @@ struct SyntheticStage {
 };
 
 Metric Growth(const gl::Context& context, int rounds) {
-  Screen screen(kSizes[0]);
   const SyntheticStage small(context, 10, 20);
   const SyntheticStage large(context, 100, 100);
+  Screen screen(kSizes[0], *small.painter);
   const auto with = [&](const SyntheticStage& stage) {
     return [&](int frame) {
       stage.painter->Draw(SceneAt(frame, scene::Style::kSoft), screen.canvas);
