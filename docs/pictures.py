@@ -48,10 +48,10 @@ COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.S)
 
 
 def shown_by(file):
-    """The bytes of a file that may change what it shows; a "//" within a text ends it here as well, which hides a change at most."""
+    """The bytes of a file that may change what it shows, however its lines are broken; a "//" within a text ends it here as well, which hides a change at most."""
     if file.name == "CMakeLists.txt":
         return b""
-    return b" ".join(COMMENT.sub(b"", file.read_bytes()).split()) if file.suffix in CODE else file.read_bytes()
+    return b"".join(COMMENT.sub(b"", file.read_bytes()).split()) if file.suffix in CODE else file.read_bytes()
 
 
 def checksum(sources, root=ROOT):
