@@ -83,6 +83,8 @@ struct SurfaceLook {
   float print = 0;
   // 0..1: how deep wrinkles are where its skin is pressed together, in the fine qualities. 0: wood, or a child's.
   float folds = 1;
+  // 0..1: how much it shows of the red of expressions. 1: a kettle on the fire.
+  float flush = 0;
 };
 
 // The global shape (the paper's section 3): one position for each vertex of the cage, made in a modelling
@@ -160,6 +162,8 @@ struct Expression {
   std::array<float, 2> lids{};
   // How large the pupils are in it, as a factor, 0.5..1.5.
   float pupil = 1;
+  // How red it makes a surface that shows it (SurfaceLook::flush), 0..1.
+  float flush = 0;
   // What the control points cannot say of a shape that came from a modelling tool: one offset for each moving
   // vertex of the reference face, metres along the head's axes. Empty: nothing.
   std::vector<glm::vec3> residual{};

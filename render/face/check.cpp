@@ -62,6 +62,7 @@ void CheckLook(const std::string& item, const Face& face, Faults& faults) {
   faults.Finite(item + ", its look", numbers);
   if (!Is0To1(surface.print)) faults.Add(item + ": its print is not within 0 to 1");
   if (!Is0To1(surface.folds)) faults.Add(item + ": its folds are not within 0 to 1");
+  if (!Is0To1(face.surface.flush)) faults.Add(item + ": its flush is not within 0 to 1");
 }
 
 // Without textures at all (a cast in work) the index is not looked at.
@@ -117,6 +118,7 @@ void CheckExpression(const Cast& cast, const Expression& expression, Faults& fau
   if (!std::ranges::all_of(expression.lids, Is0To1)) faults.Add(item + ": its lids are not within 0 to 1");
   if (!(expression.pupil >= 0.5F && expression.pupil <= 1.5F))
     faults.Add(item + ": its pupils are not within 0.5 to 1.5");
+  if (!Is0To1(expression.flush)) faults.Add(item + ": its flush is not within 0 to 1");
 }
 
 // The first triangle that is wrong is named, and no further one.

@@ -255,6 +255,7 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   shape_.eyes = MixEyes(cast_.faces, playable);
   shape_.eye_look = MixEyeLook(cast_.faces, playable);
   shape_.eye_surface = MixEyeSurface(cast_.faces, cast_.expressions, playable);
+  shape_.flush = MixFlush(cast_.faces, cast_.expressions, playable);
   shape_.mouth = MixMouth(cast_.faces, playable);
   shape_.lids_shut = MixLids(cast_.expressions, playable);
   shape_.jaw_drop_m = MixJawDrop(work_->composites, playable);

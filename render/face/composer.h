@@ -40,6 +40,8 @@ struct Shape {
   std::array<float, 2> lids_shut{};
   EyeLook eye_look;
   EyeSurface eye_surface;
+  // 0..1: how red the skin is.
+  float flush = 0;
   MouthFit mouth;
   // How far the lower lip's middle (point "LC") went down; never negative.
   float jaw_drop_m = 0;

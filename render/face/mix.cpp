@@ -67,6 +67,15 @@ EyeSurface MixEyeSurface(std::span<const Face> faces, std::span<const Expression
   return mixed;
 }
 
+// Strengthened expressions are no redder than red.
+float MixFlush(std::span<const Face> faces, std::span<const Expression> expressions, const Weights& weights) {
+  float shown = 0;
+  float red = 0;
+  for (const Term& t : weights.faces) shown += t.weight * faces[t.index].surface.flush;
+  for (const Term& t : weights.expressions) red += t.weight * expressions[t.index].flush;
+  return std::clamp(shown, 0.0F, 1.0F) * std::clamp(red, 0.0F, 1.0F);
+}
+
 // Begins at zero everywhere: a MouthFit of its own begins as a mouth that is shown.
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights) {
   MouthFit mixed{.scale = 0, .offset = {}, .upper_teeth = 0, .lower_teeth = 0, .tongue = 0};

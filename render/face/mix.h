@@ -18,6 +18,8 @@ EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights);
 // Paint and gloss of the eyeballs, by the weights of the faces; pupils also by those of expressions and channels.
 EyeSurface MixEyeSurface(std::span<const Face> faces, std::span<const Expression> expressions,
                          const Weights& weights);
+// How red the face is, 0..1: what its surfaces show of what the expressions ask for.
+float MixFlush(std::span<const Face> faces, std::span<const Expression> expressions, const Weights& weights);
 // Scale, offset and presence of teeth and tongue, by the weights of the faces.
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights);
 

@@ -173,7 +173,7 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
   if (scattered != nullptr) scattered->Bind(kScatteredUnit);
   gl::Apply({});
   variant.program.Use();
-  gl::Program::Set(variant.surface, AnswerOf(shape.faces));
+  gl::Program::Set(variant.surface, glm::vec3(AnswerOf(shape.faces), shape.flush));
   gl::Program::Set(variant.weights, mixture.weights());
   gl::Program::Set(variant.scatter, scattered != nullptr ? ScatterOf(shape.faces) : 0.0F);
   const bool alone = shape.faces.size() == 1;
@@ -185,7 +185,7 @@ void BodyPass::DrawLight(const Surface& surface, const face::Shape& shape, const
   BindFine(depths);
   gl::Apply({});
   light_.program.Use();
-  gl::Program::Set(light_.surface, AnswerOf(shape.faces));
+  gl::Program::Set(light_.surface, glm::vec3(AnswerOf(shape.faces), shape.flush));
   surface.fine().Draw();
 }
 

@@ -9,7 +9,7 @@ in vec2 pressed;
 in vec3 in_camera;
 in vec3 facing;
 in vec4 rest;
-uniform vec2 surface;
+uniform vec3 surface;
 uniform sampler2D scattered;   // The light on skin after it was spread; a: metres from the camera.
 uniform float scatter;         // 0..1: how much of it is seen.
 const float kSameSkin = 0.01;  // Metres: a pixel of the picture may lie on what another one's middle does not see.

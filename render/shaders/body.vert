@@ -13,7 +13,7 @@ out vec3 in_camera;   // Metres.
 out vec3 facing;      // The normal, camera's frame; not of unit length between vertices.
 out vec4 rest;        // xy: texture coordinates; z: how open it lies; w: what is left of light under the chin.
 #else
-uniform vec2 surface;
+uniform vec3 surface;
 out vec4 lit;    // rgb: times the texture; a: added.
 out vec3 rest;   // xy: texture coordinates; z: gloss.
 #endif

@@ -7,7 +7,7 @@ in vec2 pressed;
 in vec3 in_camera;
 in vec3 facing;
 in vec4 rest;
-uniform vec2 surface;
+uniform vec3 surface;
 layout(location = 0) out vec4 colour;
 
 void main() {

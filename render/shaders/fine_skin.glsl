@@ -35,7 +35,7 @@ vec3 Bumped(vec3 n, vec3 p, vec2 uv, vec2 slope) {
 
 // `rest` as body.vert gives it. Light that enters the skin beside a shadow leaves it within: red reaches farthest, so an
 // edge is warm. The shade below the chin, which stands for a shadow where none is drawn, is mostly left to the lamp's own.
-Lit FineSkin(vec3 p, vec3 n, vec4 rest, vec2 surface, vec2 pressed) {
+Lit FineSkin(vec3 p, vec3 n, vec4 rest, vec3 surface, vec2 pressed) {
   float seen = LampSeen(p, n, 0.0025);
   vec3 bled = mix(vec3(seen), mix(kScattered, vec3(1.0), pow(vec3(seen), vec3(0.60, 0.85, 1.00))), surface.x);
   float skin_like = surface.x * (1.0 - surface.y);

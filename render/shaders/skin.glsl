@@ -1,5 +1,7 @@
 // Light on the composed face, evaluated once a vertex: the fine mesh is dense enough, and pixels stay cheap. Or, with
-// BY_PIXEL, once a pixel. `surface`: x softness, y metal. `lamp_seen`: what of the key lamp's light is not in shadow.
+// BY_PIXEL, once a pixel. `surface`: x softness, y metal, z flush. `lamp_seen`: what of the key lamp's light is not in shadow.
+const vec3 kFlushed = vec3(1.0, 0.34, 0.20);   // What of light is left on what is as red as can be.
+
 struct Lit {
   vec3 diffuse;     // Times the texture.
   float added;      // On top, white.
@@ -22,7 +24,7 @@ float UnderChin(float share) {
   return 1.0 - 0.46 * shade * clamp(dot(key.xyz, up.xyz) * 1.8, 0.0, 1.0);
 }
 
-Lit SoftSkin(vec3 p, vec3 n, float open, vec2 surface, vec3 lamp_seen) {
+Lit SoftSkin(vec3 p, vec3 n, float open, vec3 surface, vec3 lamp_seen) {
   vec3 toward_eye = normalize(-p);
   float edge = 1.0 - clamp(dot(n, toward_eye), 0.0, 1.0);
   float sky = SkyShare(n);
@@ -40,9 +42,10 @@ Lit SoftSkin(vec3 p, vec3 n, float open, vec2 surface, vec3 lamp_seen) {
   return lit;
 }
 
-Lit Skin(vec3 p, vec3 n, float open, vec2 surface, float under_chin, vec3 lamp_seen) {
+Lit Skin(vec3 p, vec3 n, float open, vec3 surface, float under_chin, vec3 lamp_seen) {
   Lit lit = SoftSkin(p, n, open, surface, lamp_seen);
   float soft = fill.w;
+  lit.diffuse *= mix(vec3(1.0), kFlushed, surface.z);
   lit.diffuse = mix(vec3(PlainLight(n)) * key.w, Shoulder(lit.diffuse * under_chin * key.w), soft);
   lit.added *= soft * key.w;
   lit.gloss *= soft * key.w;

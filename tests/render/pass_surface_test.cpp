@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
 #include <vector>
 
@@ -30,6 +31,29 @@ TEST(Surface, OfAFaceWithoutOcclusionIsOpenEverywhere) {
   for (face::Face& face : cast.faces) face.occlusion.assign(cast.topology.vertex_count, 1.0F);
   ASSERT_FALSE(without.empty());
   EXPECT_EQ(without, PictureOf(cast));
+}
+
+TEST(Surface, ThatShowsAFlushIsAsRedAsTheExpressionAndNoDarkerInRed) {
+  face::Cast cast = PassStudio::Shared().cast();
+  scene::Scene scene = PlainScene(scene::Style::kSoft);
+  scene.weights.expressions.clear();
+  scene.weights.expressions.Push(1, 1);
+  const auto sums = [&](float shown, float flush) {
+    cast.faces[0].surface.flush = shown;
+    cast.expressions[1].flush = flush;
+    std::array<long, 3> total{};
+    const auto picture = PictureOf(cast, scene);
+    for (std::size_t i = 0; i < picture.size(); ++i)
+      if (i % 4 < 3) total[i % 4] += picture[i];
+    return total;
+  };
+  const auto pale = sums(0, 1), at_rest = sums(1, 0), half = sums(1, 0.5F), red = sums(1, 1);
+  EXPECT_EQ(pale, at_rest);
+  EXPECT_EQ(red[0], pale[0]);
+  for (const std::size_t of : {1U, 2U}) {
+    EXPECT_LT(red[of], half[of]);
+    EXPECT_LT(half[of], pale[of]);
+  }
 }
 
 // Five faces, each with a black skin of its own but for one, while four of them fade out and the last one was called.

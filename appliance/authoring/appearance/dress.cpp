@@ -102,7 +102,8 @@ void DressFace(const Studio& studio, const FaceLook& look, face::Cast& cast, fac
   face.eye_look = EyesOf(look.eyes);
   face.eye_surface = look.eyes.surface;
   face.surface = {look.surface.softness, look.surface.metal, static_cast<int>(cast.textures.size()),
-                  look.surface.flat,     look.surface.print, look.surface.folds};
+                  look.surface.flat,     look.surface.print, look.surface.folds,
+                  look.surface.flush};
   cast.textures.push_back(PaintFace(studio.atlas, look));
   AddHair(cast, look.hair, face);
   AddGear(cast, look.gear, face);

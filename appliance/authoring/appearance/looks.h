@@ -253,13 +253,14 @@ struct ClothesLook {
 
 // [surface]. How the renderer lights the face: `softness` 0 .. 1 lets light wrap round it, `metal` 0 .. 1
 // mirrors the surroundings, `flat` is its one colour in the flat style, `folds` 0 .. 1 is how deep its wrinkles are where
-// a graphics card draws them. As face::SurfaceLook.
+// a graphics card draws them, `flush` 0 .. 1 how much it reddens with expressions that do. As face::SurfaceLook.
 struct SurfacePaint {
   float softness = 1;
   float metal = 0;
   glm::vec3 flat{};
   float print = 0;  // 1: drawn as a poster print.
   float folds = 1;
+  float flush = 0;
 };
 
 // Everything that looks/NAME.toml says.

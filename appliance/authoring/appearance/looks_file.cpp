@@ -112,9 +112,9 @@ EyePaint ReadEyes(Section s) {
 
 // The flat colour must be given: it is all that the flat style shows of the surface.
 SurfacePaint ReadSurface(Section s) {
-  s.AllowOnly({"softness", "metal", "flat", "print", "folds"});
-  return {Share(s, "softness", 1), Share(s, "metal", 0), Colour(s, "flat"), Share(s, "print", 0),
-          Share(s, "folds", 1)};
+  s.AllowOnly({"softness", "metal", "flat", "print", "folds", "flush"});
+  return {Share(s, "softness", 1), Share(s, "metal", 0), Colour(s, "flat"),
+          Share(s, "print", 0),    Share(s, "folds", 1), Share(s, "flush", 0)};
 }
 
 // Lengths must be given. Two of them divide where hairs are drawn, and so must be greater than 0.

@@ -74,8 +74,8 @@ bool SameLook(const face::Face& a, const face::Face& b) {
          a.eye_look.lash_wing_m == b.eye_look.lash_wing_m && a.surface.softness == b.surface.softness &&
          a.surface.metal == b.surface.metal && a.surface.flat == b.surface.flat &&
          a.surface.print == b.surface.print && a.surface.folds == b.surface.folds &&
-         SameEyeSurface(a.eye_surface, b.eye_surface) && a.outgrowth_kind == b.outgrowth_kind &&
-         a.withdrawn == b.withdrawn && a.hang_arms_m == b.hang_arms_m;
+         a.surface.flush == b.surface.flush && SameEyeSurface(a.eye_surface, b.eye_surface) &&
+         a.outgrowth_kind == b.outgrowth_kind && a.withdrawn == b.withdrawn && a.hang_arms_m == b.hang_arms_m;
 }
 
 // Displacements by the names of their points, so that points that were added or put into another order
@@ -191,6 +191,9 @@ void CompareExpression(const std::string& item, const WornExpression& a, const W
   if (a.expression.pupil != b.expression.pupil)
     lines.push_back(fmt::format("{}: pupils {:.2f} as large are now {:.2f}", item, a.expression.pupil,
                                 b.expression.pupil));
+  if (a.expression.flush != b.expression.flush)
+    lines.push_back(
+        fmt::format("{}: a flush of {:.2f} is now {:.2f}", item, a.expression.flush, b.expression.flush));
   if (a.expression.residual.size() != b.expression.residual.size())
     lines.push_back(item + ": what its points cannot say is kept otherwise");
   else if (const Motion rest = MotionOf(a.expression.residual, b.expression.residual); rest.most_m > 0)

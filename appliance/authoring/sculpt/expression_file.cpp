@@ -90,7 +90,7 @@ class Reader {
 
   // An expression with a fault is kept all the same: later ones may build on it.
   void ReadExpression(toml::Section section) {
-    section.AllowOnly({"name", "kind", "lids", "pupil", "from", "both", "left", "right"});
+    section.AllowOnly({"name", "kind", "lids", "pupil", "flush", "from", "both", "left", "right"});
     AuthoredExpression expression{.name = section.Text("name")};
     // Names are how buttons, motions and other expressions call it.
     if (FindExpression(expression.name) != nullptr)
@@ -99,6 +99,7 @@ class Reader {
     expression.kind = ReadKind(section);
     if (section.Has("lids")) expression.lids = ReadLids(section);
     if (section.Has("pupil")) expression.pupil = ReadPupil(section);
+    if (section.Has("flush")) expression.flush = ReadFlush(section);
     if (section.Has("from")) expression.from = ReadFrom(section.Part("from"));
     if (section.Has("both")) expression.both = ReadMoves(section.Part("both"));
     if (section.Has("left")) expression.left = ReadMoves(section.Part("left"));
@@ -147,6 +148,13 @@ class Reader {
     if (pupil >= 0.5 && pupil <= 1.5) return pupil;
     section.Fault("pupil", "must be a factor from 0.5 (small) to 1.5 (large); 1 is as the face has it");
     return 1;
+  }
+
+  static double ReadFlush(toml::Section& section) {
+    const double flush = section.Number("flush");
+    if (flush >= 0 && flush <= 1) return flush;
+    section.Fault("flush", "must be a number from 0 to 1 (as red as can be)");
+    return 0;
   }
 
   // Only expressions that stand before this one, so that sums need no order of their own.

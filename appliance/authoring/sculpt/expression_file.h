@@ -43,6 +43,7 @@ struct AuthoredExpression {
   // How far lids are shut, 0..1: left, right.
   std::array<double, 2> lids{};
   double pupil = 1;  // A factor, 0.5..1.5.
+  double flush = 0;  // How red, 0..1.
   // Earlier expressions that it builds on, by this much.
   std::map<std::string, double> from{};
   // On both sides alike; `left` and `right` add to one side alone.

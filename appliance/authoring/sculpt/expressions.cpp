@@ -63,6 +63,7 @@ std::vector<face::Expression> MakeExpressions(const ExpressionFile& file) {
     AddMoves(file.points, authored, expression.displacement);
     expression.lids = {static_cast<float>(authored.lids[0]), static_cast<float>(authored.lids[1])};
     expression.pupil = static_cast<float>(authored.pupil);
+    expression.flush = static_cast<float>(authored.flush);
     made.push_back(std::move(expression));
   }
   return made;

@@ -93,8 +93,8 @@ face::Face ReadFace(Copier& from, const pack::Face& stored) {
   if (stored.eye_surface() != nullptr)
     face.eye_surface = AsHeld<pack::EyeSurface, face::EyeSurface>(*stored.eye_surface());
   if (stored.mouth() != nullptr) face.mouth = AsHeld<pack::MouthFit, face::MouthFit>(*stored.mouth());
-  face.surface = {stored.softness(),  stored.metal(), stored.texture(),
-                  Vec(stored.flat()), stored.print(), stored.folds()};
+  face.surface = {stored.softness(), stored.metal(), stored.texture(), Vec(stored.flat()),
+                  stored.print(),    stored.folds(), stored.flush()};
   face.props = from.Numbers(stored.props());
   face.expression_gain = stored.expression_gain();
   face.outgrowth_kind = stored.outgrowth_kind();
@@ -112,6 +112,7 @@ face::Expression ReadExpression(Copier& from, const pack::Expression& stored) {
           .displacement = from.Structs<glm::vec3>(stored.displacement()),
           .lids = {stored.lid_left(), stored.lid_right()},
           .pupil = stored.pupil(),
+          .flush = stored.flush(),
           .residual = from.Structs<glm::vec3>(stored.residual())};
 }
 

@@ -104,7 +104,7 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   return pack::CreateFace(to, name, positions, occlusion, eyes, &eye_look, &mouth, face.surface.softness,
                           face.surface.metal, face.surface.texture, &flat, props, face.expression_gain,
                           face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn, sparse, hang_arms,
-                          face.surface.folds);
+                          face.surface.folds, face.surface.flush);
 }
 
 Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& expression) {
@@ -112,7 +112,8 @@ Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& ex
   const auto displacement = Structs<pack::Vec3>(to, expression.displacement);
   const auto residual = Structs<pack::Vec3>(to, expression.residual);
   return pack::CreateExpression(to, name, static_cast<std::uint32_t>(expression.kind), displacement,
-                                expression.lids[0], expression.lids[1], residual, expression.pupil);
+                                expression.lids[0], expression.lids[1], residual, expression.pupil,
+                                expression.flush);
 }
 
 Offset<pack::Prop> Write(FlatBufferBuilder& to, const face::Prop& prop) {

@@ -30,10 +30,12 @@ TEST(PackDiff, SaysWhichPointOfAnExpressionChangedMost) {
   after.cast.expressions[1].displacement[corner].y += 0.0015F;
   after.cast.expressions[1].lids = {0.25F, 0.5F};
   after.cast.expressions[1].pupil = 1.1F;
+  after.cast.expressions[1].flush = 0.5F;
   EXPECT_THAT(Differences(SmallShow(), after),
               ElementsAre("expression \"smile\": moves by up to 1.50 mm otherwise (point MC.l)",
                           "expression \"smile\": lids shut 0.50 and 0.50 are now 0.25 and 0.50",
-                          "expression \"smile\": pupils 1.00 as large are now 1.10"));
+                          "expression \"smile\": pupils 1.00 as large are now 1.10",
+                          "expression \"smile\": a flush of 0.00 is now 0.50"));
 }
 
 TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {

@@ -143,6 +143,11 @@ TEST(Expressions, AreMirroredUnlessOneSideIsNamed) {
   EXPECT_GT(wink.displacement[Point("K1.l")].y, wink.displacement[Point("K1.r")].y);
 }
 
+TEST(Expressions, MayMakeFacesRed) {
+  EXPECT_EQ(SculptedCast().expressions[Named("boiling")].flush, 1);
+  EXPECT_EQ(SculptedCast().expressions[Named("smile")].flush, 0);
+}
+
 TEST(Expressions, MayHaveLargerPupils) {
   EXPECT_FLOAT_EQ(SculptedCast().expressions[Named("in_love")].pupil, 1.12F);
   EXPECT_EQ(SculptedCast().expressions[Named("smile")].pupil, 1);

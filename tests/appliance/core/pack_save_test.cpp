@@ -45,6 +45,18 @@ TEST_F(SavedPack, CarriesPicturesOfKeysThroughASignature) {
   EXPECT_TRUE(show::LoadPackWithKeys(file_)->keys.empty());
 }
 
+TEST_F(SavedPack, KeepsHowRedExpressionsMakeWhoShowsIt) {
+  auto shown = SmallShow();
+  shown.cast.expressions[1].flush = 0.75F;
+  shown.cast.faces[2].surface.flush = 0.25F;
+  ASSERT_TRUE(SavePack(shown, file_));
+  const auto loaded = show::LoadPack(file_);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_EQ(loaded->cast.expressions[1].flush, 0.75F);
+  EXPECT_EQ(loaded->cast.expressions[2].flush, 0);
+  EXPECT_EQ(loaded->cast.faces[2].surface.flush, 0.25F);
+}
+
 TEST_F(SavedPack, WithMorePicturesOfKeysThanThereCanBeIsRefusedWithOneLine) {
   show::ShowWithKeys whole{SmallShow(),
                            {{72, 1, false, std::vector<std::uint8_t>(show::kMostKeyPicture_bytes + 1)}}};
