@@ -127,15 +127,18 @@ int Canvas::layer_height_px() const {
   return has_samples() ? options_.height_px : Supersampled(options_.height_px);
 }
 
+glm::dvec2 Canvas::texels_per_pixel() const {
+  return glm::dvec2(layer_width_px(), layer_height_px()) / glm::dvec2(options_.width_px, options_.height_px);
+}
+
 // Rounded outwards: whoever makes the layer smaller reads what lies partly within the box.
 Box Canvas::OnLayer(const Box& box) const {
   if (has_samples() || box.empty()) return box;
-  const double across = double(layer_width_px()) / options_.width_px;
-  const double up = double(layer_height_px()) / options_.height_px;
-  const int left_px = static_cast<int>(std::floor(box.left_px * across));
-  const int bottom_px = static_cast<int>(std::floor(box.bottom_px * up));
-  const int right_px = static_cast<int>(std::ceil((box.left_px + box.width_px) * across));
-  const int top_px = static_cast<int>(std::ceil((box.bottom_px + box.height_px) * up));
+  const glm::dvec2 per_pixel = texels_per_pixel();
+  const int left_px = static_cast<int>(std::floor(box.left_px * per_pixel.x));
+  const int bottom_px = static_cast<int>(std::floor(box.bottom_px * per_pixel.y));
+  const int right_px = static_cast<int>(std::ceil((box.left_px + box.width_px) * per_pixel.x));
+  const int top_px = static_cast<int>(std::ceil((box.bottom_px + box.height_px) * per_pixel.y));
   return {left_px, bottom_px, std::min(right_px, layer_width_px()) - left_px,
           std::min(top_px, layer_height_px()) - bottom_px};
 }

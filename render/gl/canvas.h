@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include <glm/vec2.hpp>
+
 #include "drivers/base/result.h"
 #include "render/gl/box.h"
 #include "render/gl/damage.h"
@@ -86,8 +88,11 @@ class Canvas {
   // Of the layer, whose viewport shows what the picture's does: the picture's size, or larger (kSupersampling, rounded up).
   int layer_width_px() const;
   int layer_height_px() const;
+  // How many texels of the layer a pixel of the picture has, across and up: 1 or more.
+  glm::dvec2 texels_per_pixel() const;
   // What of the layer holds a box of the picture.
   Box OnLayer(const Box& box) const;
+  Antialiasing antialiasing() const { return options_.antialiasing; }
   // Whether a pixel of the layer has several samples.
   bool has_samples() const { return options_.antialiasing == Antialiasing::kMultisample; }
   // Whether it is bound as a texture with them.

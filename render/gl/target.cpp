@@ -5,6 +5,8 @@
 
 #include <cassert>
 
+#include "render/gl/draw_state.h"
+
 namespace kaori::gl {
 namespace {
 
@@ -59,8 +61,7 @@ void Target::BeginWithin(int width_px, int height_px, const Box& box) const {
   assert(width_px <= options_.width_px && height_px <= options_.height_px);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.id());
   glViewport(0, 0, width_px, height_px);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
+  CutTo(box);
 }
 
 // glClear obeys the depth mask, which the last pass may have left off; of a target without depth it clears none.

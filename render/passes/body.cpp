@@ -141,14 +141,14 @@ bool BodyPass::LoadNext() {
   return true;
 }
 
-glm::vec2 BodyPass::AnswerOf(const face::Terms& faces) const {
+glm::vec3 BodyPass::AnswerOf(const face::Shape& shape) const {
   glm::vec2 answer{};
-  for (const face::Term& term : faces) answer += term.weight * looks_[term.index].surface;
-  return answer;
+  for (const face::Term& term : shape.faces) answer += term.weight * looks_[term.index].surface;
+  return {answer, shape.flush};
 }
 
-float BodyPass::ScatterOf(const face::Terms& faces) const {
-  const glm::vec2 answer = AnswerOf(faces);
+float BodyPass::ScatterOf(const face::Shape& shape) const {
+  const glm::vec3 answer = AnswerOf(shape);
   return std::clamp(answer.x * (1 - answer.y), 0.0F, 1.0F);
 }
 
@@ -173,9 +173,9 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
   if (scattered != nullptr) scattered->Bind(kScatteredUnit);
   gl::Apply({});
   variant.program.Use();
-  gl::Program::Set(variant.surface, glm::vec3(AnswerOf(shape.faces), shape.flush));
+  gl::Program::Set(variant.surface, AnswerOf(shape));
   gl::Program::Set(variant.weights, mixture.weights());
-  gl::Program::Set(variant.scatter, scattered != nullptr ? ScatterOf(shape.faces) : 0.0F);
+  gl::Program::Set(variant.scatter, scattered != nullptr ? ScatterOf(shape) : 0.0F);
   const bool alone = shape.faces.size() == 1;
   (dressed && alone ? surface.fine_worn(shape.faces[0].index) : surface.fine()).Draw();
 }
@@ -185,7 +185,7 @@ void BodyPass::DrawLight(const Surface& surface, const face::Shape& shape, const
   BindFine(depths);
   gl::Apply({});
   light_.program.Use();
-  gl::Program::Set(light_.surface, glm::vec3(AnswerOf(shape.faces), shape.flush));
+  gl::Program::Set(light_.surface, AnswerOf(shape));
   surface.fine().Draw();
 }
 

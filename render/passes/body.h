@@ -33,7 +33,7 @@ class BodyPass {
   void Draw(const Surface& surface, const face::Shape& shape, bool dressed, const gl::DepthMap* depths,
             const ScatterPass* scattered = nullptr);
   // How much of the light on the skins of these faces, by weight, is spread within it, 0..1: metal spreads none.
-  float ScatterOf(const face::Terms& faces) const;
+  float ScatterOf(const face::Shape& shape) const;
   // Draws the light on the surface's fine mesh, and how far it lies, into the picture that ScatterPass has begun. Of
   // the fine quality.
   void DrawLight(const Surface& surface, const face::Shape& shape, const gl::DepthMap& depths) const;
@@ -67,8 +67,8 @@ class BodyPass {
   };
   // What the fine quality looks up besides skins.
   void BindFine(const gl::DepthMap& depths) const;
-  // Of the faces of a shape, by weight.
-  glm::vec2 AnswerOf(const face::Terms& faces) const;
+  // Softness and metal of the faces of a shape, by weight, and its flush.
+  glm::vec3 AnswerOf(const face::Shape& shape) const;
   // `textures`: 1, 2 or 4.
   Result<void> AddVariant(int textures, Quality quality);
   // What the fine quality needs besides.

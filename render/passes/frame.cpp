@@ -83,6 +83,15 @@ FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 laye
   return f;
 }
 
+// Of a pixel with one sample, more than a half must be covered.
+FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, const gl::Canvas& canvas,
+                     float soft_share) {
+  FrameBlock f =
+      MakeFrame(scene, neck, glm::vec2(canvas.layer_width_px(), canvas.layer_height_px()), soft_share);
+  if (!canvas.has_samples()) f.least.x = 0.5F;
+  return f;
+}
+
 float LeanShare(const FrameBlock& f, float height_m) {
   return std::clamp(1 - (f.shift.w - height_m) * kLeanPerMetre, 0.0F, 1.0F);
 }

@@ -13,6 +13,7 @@
 #include <glm/vec4.hpp>
 
 #include "render/face/cast.h"
+#include "render/gl/canvas.h"
 #include "render/gl/program.h"
 #include "render/scene/scene.h"
 
@@ -65,6 +66,8 @@ Neck AboveCollar(Neck neck, float collar_m);
 // `soft_share` 0..1: how much of the textured styles is today's soft light; the rest is the plain one of
 // 1993. `layer_px`: width and height of what is drawn on, neither 0.
 FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 layer_px, float soft_share);
+// The same for a canvas's layer, with what of its pixels is left out.
+FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, const gl::Canvas& canvas, float soft_share);
 
 // What a point of the figure follows, as frame.glsl moves it.
 enum class Follows : std::uint8_t {
@@ -81,7 +84,7 @@ glm::vec3 Placed(const FrameBlock& frame, glm::vec3 point, Follows follows);
 
 // The same in the picture: x, y from -1 to 1, right and up, more outside of it.
 glm::vec2 Project(const FrameBlock& frame, glm::vec3 point, Follows follows);
-// Its height there, pixels from below.
+// Its height on what is drawn on, pixels from below.
 float HeightOnLayer_px(const FrameBlock& frame, glm::vec3 point, Follows follows);
 
 // Compiles a program of the shader library and binds its Frame block to kFrameBinding. `defines` are lines

@@ -39,11 +39,6 @@ Result<gl::Program> MakeLayer(std::string_view fragment, std::string defines, bo
   return program;
 }
 
-glm::vec2 TexelsPerPixel(const gl::Canvas& canvas) {
-  return glm::vec2(canvas.layer_width_px(), canvas.layer_height_px()) /
-         glm::vec2(canvas.width_px(), canvas.height_px());
-}
-
 struct Sides {
   gl::Box left, right;
 };
@@ -132,7 +127,7 @@ void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const 
   behind.picture.Bind(kBehindUnit);
   gl::Program::Set(variant.dim, behind.dim);
   gl::Program::Set(variant.opacity, laying.opacity);
-  gl::Program::Set(variant.per_pixel, TexelsPerPixel(canvas));
+  gl::Program::Set(variant.per_pixel, glm::vec2(canvas.texels_per_pixel()));
   gl::Program::Set(variant.print, glm::vec2(laying.print, laying.exposure));
   gl::Program::Set(variant.dots, laying.dots);
   canvas.BeginPicture();

@@ -12,12 +12,12 @@
 namespace kaori::passes {
 
 // The dots of a print go with the head: xy: its middle in the picture, pixels; zw: along a row of dots,
-// radians of their wave for each pixel.
+// radians of their wave for each pixel. `picture_px`: its width and height.
 glm::vec4 DotsOn(const FrameBlock& frame, glm::vec2 picture_px);
 
 // Reads each sample of the layer, squares it to light, and blends light: with samples averaged first, edges
-// would be darker than they are. A larger layer is made smaller by the mean of what each pixel covers. Knows what the last frame left on a canvas (Canvas::Stamp), so that a
-// backdrop at rest is not drawn again.
+// would be darker than they are. A larger layer is made smaller by the mean of what each pixel covers. Knows
+// what the last frame left on a canvas (Canvas::Stamp), so that a backdrop at rest is not drawn again.
 class LayerPass {
  public:
   // On a context that reads samples, shaders for GLES 3.1. Errors: invalid_argument (a shader).

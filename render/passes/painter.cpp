@@ -14,9 +14,6 @@ using scene::Style;
 // In the order in which they are laid: later ones over earlier ones.
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
-// What covers more than this of a pixel is drawn where there is one sample a pixel.
-constexpr float kHalfOfAPixel = 0.5F;
-
 constexpr float kPainterWhole = 1 - kPainterUnseen;
 
 // Behind glowing lines the stage is darker.
@@ -188,8 +185,7 @@ void Painter::Parts::DrawGroup(Group group, const scene::Scene& scene, const fac
 // Writes what all shaders of this frame share, and keeps it for what is worked out here.
 void Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas& canvas) {
   const Neck worn = dressing.count > 0 ? AboveCollar(neck, dressing.collar_m) : neck;
-  block = MakeFrame(scene, worn, {canvas.layer_width_px(), canvas.layer_height_px()}, SoftShare(scene));
-  if (!canvas.has_samples()) block.least.x = kHalfOfAPixel;
+  block = MakeFrame(scene, worn, canvas, SoftShare(scene));
   frame.Write(std::as_bytes(std::span(&block, 1)));
   frame.BindUniforms(kFrameBinding);
 }

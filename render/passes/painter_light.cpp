@@ -22,7 +22,7 @@ void Painter::Parts::DrawShadows() {
 // will hide it: light comes out from below them, too.
 void Painter::Parts::ScatterLight(const face::Shape& shape, const gl::Canvas& canvas, const gl::Box& figure) {
   scattered = nullptr;
-  if (!scatter || body->ScatterOf(shape.faces) < kPainterUnseen) return;
+  if (!scatter || body->ScatterOf(shape) < kPainterUnseen) return;
   if (!scatter->Begin(canvas.layer_width_px(), canvas.layer_height_px(), canvas.OnLayer(figure))) return;
   body->DrawLight(surface, shape, *depths);
   scatter->Spread();

@@ -16,7 +16,7 @@ T Must(Result<T> made) {
 
 }  // namespace
 
-BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 canvas_px)
+BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, const gl::Canvas& canvas)
     : composer_(cast),
       shape_(composer_.Compose(scene.weights, face::Detail::kFine)),
       scene_(scene),
@@ -33,10 +33,10 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
   surface_.WriteFine(shape_);
   appearance_.Weigh(shape_.faces);
   hairdo_.Comb(appearance_, passes::HeadFit(cast), shape_.faces, 1);
-  block_ = passes::MakeFrame(scene, passes::NeckOf(cast), canvas_px * gl::kSupersampling, 1);
-  block_.least.x = 0.5F;
+  block_ = passes::MakeFrame(scene, passes::NeckOf(cast), canvas, 1);
   frame_.Write(std::as_bytes(std::span(&block_, 1)));
-  figure_ = passes::FindFigure(block_, canvas_px, shape_, appearance_, passes::MeasureEdges(cast));
+  figure_ = passes::FindFigure(block_, {canvas.width_px(), canvas.height_px()}, shape_, appearance_,
+                               passes::MeasureEdges(cast));
 }
 
 void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {

@@ -20,7 +20,7 @@ namespace kaori::benchmark {
 class BareDraw {
  public:
   // Borrows the cast; a context is current. Aborts with a line in the log where a shader fails.
-  BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 canvas_px);
+  BareDraw(const face::Cast& cast, const scene::Scene& scene, const gl::Canvas& canvas);
 
   void Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes);
 

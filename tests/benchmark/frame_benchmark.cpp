@@ -167,7 +167,7 @@ Metric Ratio(const char* name, const DrawOne& ours, const DrawOne& theirs, int r
 Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds) {
   const Size size = kSizes[0];
   Screen screen(size, painter);
-  BareDraw bare(cast, SceneAt(20, scene::Style::kSoft), {size.width_px, size.height_px});
+  BareDraw bare(cast, SceneAt(20, scene::Style::kSoft), screen.canvas);
   const DrawOne ours = [&](int frame) {
     painter.Draw(SceneAt(20 + (frame & 1), scene::Style::kSoft), screen.canvas);
     screen.canvas.ReadPixels(screen.bytes);

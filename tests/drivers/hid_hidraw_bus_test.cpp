@@ -6,7 +6,6 @@
 #include <chrono>
 #include <thread>
 
-#include "drivers/base/service.h"
 #include "drivers/decode/dial_box.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "firmware/wire/dial_box.h"
@@ -78,16 +77,11 @@ TEST_F(HidrawBusTest, SeesAPullAndAReplug) {
 }
 
 TEST_F(HidrawBusTest, ListsDevicesWithoutBeingTakenForAHang) {
-  tests::Manager manager;
-  ::setenv("WATCHDOG_USEC", "10000000", 1);
-  ASSERT_TRUE(service::Watchdog::Wanted().value().Beat(std::chrono::milliseconds(20)));
-  manager.Heard();
+  tests::WatchingManager manager;
   ASSERT_TRUE(bus_->Ports());
-  EXPECT_THAT(manager.Heard(), ElementsAre("WATCHDOG_USEC=12000000\nWATCHDOG=1"));
+  EXPECT_THAT(manager.Beat(), ElementsAre(tests::kPatience));
   ASSERT_TRUE(bus_->Ports());
-  EXPECT_THAT(manager.Heard(), IsEmpty()) << "nothing came or went, so nothing is listed";
-  ::unsetenv("WATCHDOG_USEC");
-  service::Watchdog::Wanted();  // There is none from here on.
+  EXPECT_THAT(manager.Beat(), IsEmpty()) << "nothing came or went, so nothing is listed";
 }
 
 TEST_F(HidrawBusTest, OpensADeviceThatIsReadAndWritten) {

@@ -7,12 +7,14 @@
 #include <sys/un.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
 
+#include "drivers/base/service.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori::tests {
@@ -65,6 +67,32 @@ class Manager {
  private:
   UniqueFd socket_;
   std::string name_;
+};
+
+// What the program tells before a call that may block, once its watchdog has begun.
+inline constexpr const char* kPatience = "WATCHDOG_USEC=12000000\nWATCHDOG=1";
+
+// A manager that watches this program; its patience is short, as after a beat.
+class WatchingManager {
+ public:
+  WatchingManager() {
+    ::setenv("WATCHDOG_USEC", "10000000", 1);
+    Beat();
+  }
+  ~WatchingManager() {
+    ::unsetenv("WATCHDOG_USEC");
+    service::Watchdog::Wanted();  // There is none from here on.
+  }
+  // What it was told until now.
+  std::vector<std::string> Beat() {
+    auto heard = manager_.Heard();
+    EXPECT_TRUE(service::Watchdog::Wanted().value().Beat(std::chrono::milliseconds(20)));
+    manager_.Heard();
+    return heard;
+  }
+
+ private:
+  Manager manager_;
 };
 
 }  // namespace kaori::tests

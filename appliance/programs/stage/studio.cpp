@@ -23,20 +23,19 @@ Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepa
 }
 
 Result<void> Studio::Resize(int width_px, int height_px) {
-  if (canvas_.width_px() == width_px && canvas_.height_px() == height_px) return {};
-  auto canvas = gl::Canvas::Make(
-      {.width_px = width_px, .height_px = height_px, .antialiasing = painter_->antialiasing()});
+  const gl::Antialiasing wanted = painter_->antialiasing();
+  const bool fits = canvas_.width_px() == width_px && canvas_.height_px() == height_px;
+  if (fits && canvas_.antialiasing() == wanted) return {};
+  auto canvas = gl::Canvas::Make({.width_px = width_px, .height_px = height_px, .antialiasing = wanted});
   if (!canvas) return tl::unexpected(canvas.error());
   canvas_ = std::move(*canvas);
   return {};
 }
 
-// What was readied of the other quality is to be readied again. A canvas of the other antialiasing is made anew.
+// What was readied of the other quality is to be readied again.
 Result<void> Studio::SetQuality(passes::Quality quality) {
   auto set = painter_->SetQuality(quality);
-  if (!set) return set;
-  unprepared_ = true;
-  if (canvas_.has_samples() != (painter_->antialiasing() == gl::Antialiasing::kMultisample)) canvas_ = {};
+  if (set) unprepared_ = true;
   return set;
 }
 

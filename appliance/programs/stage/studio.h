@@ -110,7 +110,7 @@ class Studio {
   const std::string& renderer() const { return context_->renderer(); }
 
  private:
-  // The canvas has this size from here on. Errors: as gl::Canvas::Make.
+  // The canvas has this size, and the antialiasing that the painter wants, from here on. Errors: as gl::Canvas::Make.
   Result<void> Resize(int width_px, int height_px);
   // Copies the canvas into a window of the screen (an EGL surface's native window).
   Result<void> ShowIn(void* window);

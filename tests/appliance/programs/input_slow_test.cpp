@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "appliance/programs/input/input_service.h"
-#include "drivers/base/service.h"
 #include "firmware/wire/dial_box.h"
 #include "tests/appliance/programs/input_lines_fixture.h"
 #include "tests/drivers/service_manager.h"
@@ -18,31 +17,8 @@ using std::chrono::seconds;
 
 using ::testing::Contains;
 
-// What the program tells before a call that may block, once its watchdog has begun.
-constexpr const char* kPatience = "WATCHDOG_USEC=12000000\nWATCHDOG=1";
-
-// A manager that watches this program; its patience is short, as after a beat.
-class WatchingManager {
- public:
-  WatchingManager() {
-    ::setenv("WATCHDOG_USEC", "10000000", 1);
-    Beat();
-  }
-  ~WatchingManager() {
-    ::unsetenv("WATCHDOG_USEC");
-    service::Watchdog::Wanted();  // There is none from here on.
-  }
-  // What it was told until now.
-  std::vector<std::string> Beat() {
-    auto heard = manager_.Heard();
-    EXPECT_TRUE(service::Watchdog::Wanted().value().Beat(milliseconds(20)));
-    manager_.Heard();
-    return heard;
-  }
-
- private:
-  tests::Manager manager_;
-};
+using tests::kPatience;
+using tests::WatchingManager;
 
 class SlowLines : public LinesFixture {};
 
