@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "appliance/programs/input/input_service.h"
+#include "appliance/programs/input/stick_slot.h"
 #include "drivers/base/log.h"
 #include "drivers/base/long_call.h"
 
@@ -13,12 +14,19 @@ namespace {
 
 // Index of the left stick among the bindings; the right one follows.
 constexpr std::size_t kFirstStick = 1;
+// Between two sticks that are plugged in as the box starts; a slow one of old make takes a few seconds.
+constexpr Duration kSticksApart = std::chrono::seconds(10);
 
 // Whether a read would find something, without waiting. The loop wakes the service for any of its descriptors
 // without saying for which one.
 bool Readable(int fd) {
   pollfd poll{fd, POLLIN, 0};
   return ::poll(&poll, 1, 0) > 0;
+}
+
+// The slider has no rest.
+bool IsUntouched(const board::Stick& stick) {
+  return IsAtRest(stick) && std::ranges::all_of(stick.pushes, [](auto pushes) { return pushes == 0; });
 }
 
 // A device's name goes into the log, where it must not end the line or send codes to a terminal.
@@ -92,7 +100,7 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
                 Printable((*device)->identity().name) + ": the device is not one that the show uses");
   if (kind == decode::DeviceKind::kKeyboard && !has_keyboards_)
     return Skip(port, kind, "a keyboard is not used, since this box is a kiosk");
-  Binding* binding = BindingFor(kind, port);
+  Binding* binding = BindingFor(kind, port, now);
   if (binding == nullptr)
     return Skip(port, kind, "the slot for this kind of device is occupied; the device is a spare");
   Attach(*binding, port, std::move(*device), now);
@@ -114,8 +122,8 @@ void InputService::Attach(Binding& binding, const BusPort& port, std::unique_ptr
 }
 
 // Of the kinds with one slot; two sticks are told apart by their ports.
-InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const BusPort& port) {
-  if (kind == decode::DeviceKind::kJoystick) return StickBinding(port);
+InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const BusPort& port, Time now) {
+  if (kind == decode::DeviceKind::kJoystick) return StickBinding(port, now);
   for (Binding& binding : bindings_) {
     const bool fits = binding.only_port.empty() || binding.only_port == port.name;
     if (binding.kind == kind && !binding.device && fits) return &binding;
@@ -124,12 +132,26 @@ InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const B
 }
 
 // Spares stay spares: StickRoles gives no role that another stick has.
-InputService::Binding* InputService::StickBinding(const BusPort& port) {
+InputService::Binding* InputService::StickBinding(const BusPort& port, Time now) {
+  OrderSticks(port, now);
   std::array<bool, kSticks> occupied{};
   for (std::size_t i = 0; i < occupied.size(); ++i)
     occupied[i] = bindings_[kFirstStick + i].device != nullptr;
   const auto role = roles_.RoleOf(port.name, occupied);
   return role ? &bindings_[kFirstStick + static_cast<std::size_t>(*role)] : nullptr;
+}
+
+// Somebody who has moved the stick or pushed its buttons plays what it plays.
+void InputService::OrderSticks(const BusPort& port, Time now) {
+  Binding &left = bindings_[kFirstStick], &right = bindings_[kFirstStick + 1];
+  if (!left.device || right.device || !roles_.IsBeforeLeft(port.name)) return;
+  if (clock_.now() - left.attached_at > kSticksApart || !IsUntouched(board_.Read<board::Stick>(0).value))
+    return;
+  Log("a stick at port {} comes before the one at port {}, which is the right stick now", port.name,
+      left.port.name);
+  roles_.MoveLeftToRight();
+  left.slot->Unplug(now);
+  Attach(right, left.port, std::move(left.device), now);
 }
 
 void InputService::Skip(const BusPort& port, decode::DeviceKind kind, const std::string& why) {

@@ -64,10 +64,20 @@ std::optional<int> StickRoles::RoleOf(std::string_view port, const std::array<bo
   const std::uint32_t hash = HashOfPort(port);
   auto role = Known(hash);
   if (role && occupied[static_cast<std::size_t>(*role)]) return std::nullopt;
-  if (!role) role = FirstOpen(occupied, /*remembered=*/false);
+  if (!role && (role = FirstOpen(occupied, /*remembered=*/false)) == 0) first_left_ = port;
   if (!role) role = FirstOpen(occupied, /*remembered=*/true);
   if (role) last_[static_cast<std::size_t>(*role)] = hash;
   return role;
+}
+
+bool StickRoles::IsBeforeLeft(std::string_view port) const {
+  return !first_left_.empty() && named_[1] == 0 && last_[1] == 0 && !Known(HashOfPort(port)) &&
+         PortBefore(port, first_left_);
+}
+
+void StickRoles::MoveLeftToRight() {
+  last_ = {0, last_[0]};
+  first_left_.clear();
 }
 
 // What the settings name comes before what was remembered, for both roles.

@@ -32,6 +32,12 @@ class StickRoles {
   // `occupied`, and keeps it.
   std::optional<int> RoleOf(std::string_view port, const std::array<bool, kSticks>& occupied);
 
+  // Whether the left stick got its role in this run because it was the first one, although `port`, which nobody knew, comes before
+  // its port; the right role has been nobody's yet. At power on it is chance which of two sticks the kernel lists first.
+  bool IsBeforeLeft(std::string_view port) const;
+  // The left stick's port has the right role from now on, where IsBeforeLeft.
+  void MoveLeftToRight();
+
  private:
   // The role that belongs to this port by the settings, by its name, or by what was there before.
   std::optional<int> Known(std::uint32_t hash) const;
@@ -41,6 +47,8 @@ class StickRoles {
   // Hashes, by role; 0 is none. named_ is from the settings, last_ from the last stick that had the role.
   std::array<std::uint32_t, kSticks> named_{};
   std::array<std::uint32_t, kSticks> last_{};
+  // The port that got the left role as the first of all; empty where it is known by anything else.
+  std::string first_left_;
 };
 
 }  // namespace kaori::input

@@ -12,14 +12,13 @@ namespace {
 // programs agree that the axes are neutral.
 constexpr Duration kEased = std::chrono::milliseconds(1750);
 
-// Whether the board shows nothing that a silent stick would contradict. The slider has no rest.
-bool AtRest(const board::Stick& stick) {
-  return stick.x == 0 && stick.y == 0 && stick.twist == 0 && stick.hat < 0 && stick.buttons_down == 0;
-}
-
 }  // namespace
 
 using board::SourceState;
+
+bool IsAtRest(const board::Stick& stick) {
+  return stick.x == 0 && stick.y == 0 && stick.twist == 0 && stick.hat < 0 && stick.buttons_down == 0;
+}
 
 // Goes on from the board, so that a restart of the program moves no axis.
 StickSlot::StickSlot(const board::Board& board, board::Writer<board::Stick> writer, int which,
@@ -98,7 +97,7 @@ void StickSlot::Unplug(Time now) {
 // state is unknown until it moves; the two cases end in neutral axes, by way of stale.
 void StickSlot::Tick(Time now, ports::HidChannel* device) {
   if (device == nullptr || reported_) return;
-  if (stick_.source == SourceState::kLive && AtRest(stick_.value)) return;
+  if (stick_.source == SourceState::kLive && IsAtRest(stick_.value)) return;
   if (stick_.source == SourceState::kLive && now - plugged_ >= kHeldStateTrust) {
     // The stick was deflected before the restart and is at rest now: it is handled like one that was pulled.
     buttons_.Release();

@@ -12,6 +12,9 @@
 
 namespace kaori::input {
 
+// Whether the board shows nothing that a silent stick would contradict. The slider has no rest.
+bool IsAtRest(const board::Stick& stick);
+
 // A stick that is pulled leaves its axes on the board and makes the section stale; the stage then eases them
 // to neutral. After a plug the section stays stale until the first report, or until that ease is over: from
 // then on a stick that reports nothing is one at rest. So the face never jumps.

@@ -6,18 +6,78 @@
 
 #include <gtest/gtest.h>
 
+#include "hw-sim/devices/stick_pod.h"
 #include "tests/appliance/programs/input_fixture.h"
+#include "tests/appliance/programs/input_owned_fixture.h"
 
 namespace kaori::input {
 namespace {
 
 using board::SourceState;
 using std::chrono::milliseconds;
+using std::chrono::seconds;
 
 constexpr std::uint8_t kKeyA = 0x04;
 
 class Cables : public InputFixture {};
 class BadReports : public InputFixture {};
+// Two equal sticks, of which the one at the later port is listed first, as it happens when a box starts.
+class LateStick : public OwnedDevices {
+ protected:
+  LateStick() {
+    PlugIn("1-3", at_3_);
+    Start();
+  }
+  // Whether the stick at port 1-2 is the left one and the other the right one.
+  bool AreInOrder() {
+    at_2_.Move(-1, 0);
+    at_3_.Move(1, 0);
+    Play(milliseconds(20));
+    return Board().sticks[0].value.x < -0.9F && Board().sticks[1].value.x > 0.9F;
+  }
+  const sim::DeviceContext context_{clock_, {}};
+  sim::StickPod at_2_{sim::DevicePort::kStickLeft, context_};
+  sim::StickPod at_3_{sim::DevicePort::kStickLeft, context_};
+};
+
+TEST_F(LateStick, AtTheLowerPortIsTheLeftOneAllTheSame) {
+  Play(seconds(9));
+  PlugIn("1-2", at_2_);
+  Play(milliseconds(50));
+  EXPECT_EQ(service_->attached_devices(), 2);
+  EXPECT_TRUE(AreInOrder());
+  EXPECT_EQ(Board().sticks[0].source, SourceState::kLive);
+}
+
+TEST_F(LateStick, TakesNoRoleFromOneThatIsPlayed) {
+  at_3_.Move(0.5F, 0);
+  Play(milliseconds(50));
+  PlugIn("1-2", at_2_);
+  Play(milliseconds(50));
+  at_3_.Move(-1, 0);
+  at_2_.Move(1, 0);
+  Play(milliseconds(20));
+  EXPECT_LT(Board().sticks[0].value.x, -0.9F);
+  EXPECT_GT(Board().sticks[1].value.x, 0.9F);
+}
+
+TEST_F(LateStick, TakesNoRoleFromOneWhoseButtonWasPushed) {
+  at_3_.Push(2);
+  Play(milliseconds(50));
+  at_3_.Release(2);
+  Play(milliseconds(50));
+  PlugIn("1-2", at_2_);
+  Play(milliseconds(50));
+  EXPECT_FALSE(AreInOrder());
+}
+
+TEST_F(LateStick, OfTheEveningTakesTheRoleThatIsFree) {
+  Play(seconds(11));
+  PlugIn("1-2", at_2_);
+  Play(milliseconds(50));
+  EXPECT_EQ(service_->attached_devices(), 2);
+  EXPECT_FALSE(AreInOrder());
+}
 
 TEST_F(Cables, OfDevicesThatAreGoneAfterARestartMakeTheirSectionsStale) {
   KillService();

@@ -27,6 +27,30 @@ TEST(Roles, GoToSticksInTheOrderOfTheirPorts) {
   EXPECT_EQ(roles.RoleOf("1-10", {true, false}), 1);
 }
 
+TEST(Roles, GoToSticksInTheOrderOfTheirPortsWhicheverComesFirst) {
+  StickRoles roles({}, {});
+  ASSERT_EQ(roles.RoleOf("1-3", {false, false}), 0);
+  EXPECT_FALSE(roles.IsBeforeLeft("1-4"));
+  ASSERT_TRUE(roles.IsBeforeLeft("1-2"));
+  roles.MoveLeftToRight();
+  EXPECT_EQ(roles.RoleOf("1-2", {false, true}), 0);
+  EXPECT_FALSE(roles.IsBeforeLeft("1-1")) << "both have been given";
+  EXPECT_EQ(roles.RoleOf("1-3", {false, false}), 1);
+}
+
+TEST(Roles, ThatAreKnownGiveWayToNoPort) {
+  StickRoles remembered({}, {HashOfPort("1-3"), 0}), named({"1-3", ""}, {}), own({}, {});
+  for (StickRoles* roles : {&remembered, &named}) {
+    ASSERT_EQ(roles->RoleOf("1-3", {false, false}), 0);
+    EXPECT_FALSE(roles->IsBeforeLeft("1-2"));
+  }
+  StickRoles right_named({"", "1-9"}, {});
+  ASSERT_EQ(right_named.RoleOf("1-3", {false, false}), 0);
+  EXPECT_FALSE(right_named.IsBeforeLeft("1-2")) << "the right role waits for its port";
+  ASSERT_EQ(own.RoleOf("stick-left", {false, false}), 0);
+  EXPECT_FALSE(own.IsBeforeLeft("1-2"));
+}
+
 TEST(Roles, StayWithTheirPortsOverReplugs) {
   StickRoles roles({}, {});
   ASSERT_EQ(roles.RoleOf("1-2", {false, false}), 0);
