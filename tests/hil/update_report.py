@@ -5,7 +5,7 @@ BOOT.json holds the figures of the bench's long mode (kaori-bench --figures), TE
 IMAGE.json what the build says of the image in the folder beside
 it, and BUNDLE an update of it. FILE gets one figure for each key of BOUNDS; ends with 1
 where one of BOUNDS is missing or out of its bounds, and names it; what only a release measures may be missing without --release, and
-with it cuts of the power count that were 25 times as many.
+with it cuts of the power count that were 25 times as many, and altered updates 250 times.
 
   log_points, log_points_wrong        sectors of a whole update at each of which the power may go, and what was wrong there
   good_slot_bytes_changed             of the slot that ran
@@ -33,6 +33,7 @@ with it cuts of the power count that were 25 times as many.
 """
 
 import math
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -52,6 +53,8 @@ BOUNDS = {"log_points": (1000, math.inf), "log_points_wrong": (0, 0), "good_slot
 # The least that a release has tried, at 25 times the effort of ./box test --bench.
 OF_ONE_EFFORT = ("power_cycles", "variable_cuts", "data_cuts", "boots_after_cut")
 RELEASE_EFFORT = 25
+# KAORI_UPDATE_EFFORT of a release: 100 000 altered updates in all.
+RELEASE_ALTERED = 250
 OF_A_RELEASE = {"bad_versions_booted": "./box test --release"}
 # What of a root is there for updates alone.
 ADDED = ("usr/bin/kaori-update", "usr/share/kaori/update-keys", *(f"usr/lib/systemd/system/kaori-{name}" for name in (
@@ -86,6 +89,7 @@ def packed_mb(root):
 def bounds_of(is_release):
     """A release has cut the power as often as it was told to, and not as often as every run does."""
     more = {name: (BOUNDS[name][0] * RELEASE_EFFORT, BOUNDS[name][1]) for name in OF_ONE_EFFORT}
+    more["altered"] = (BOUNDS["altered"][0] * 2 * RELEASE_ALTERED, math.inf)  # Two tests each try so many.
     return BOUNDS | more if is_release else BOUNDS
 
 
@@ -100,6 +104,8 @@ def main():
     boot, program, image, bundle, file = (Path(word).resolve() for word in sys.argv[1:6])
     is_release = sys.argv[6:] == ["--release"]
     seen = bounded_report.read(image) | bounded_report.read(boot) | {"added_packed_mb": packed_mb(image.with_suffix("") / "root")}
+    if is_release:
+        os.environ["KAORI_UPDATE_EFFORT"] = str(RELEASE_ALTERED)
     found = figures(*recorded.cases(program, TESTS), seen, bundle.stat().st_size if bundle.is_file() else None)
     return bounded_report.write("update_report.py", found, bounds_of(is_release), file, runs=OF_A_RELEASE, is_whole=is_release)
 

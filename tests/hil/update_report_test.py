@@ -14,8 +14,11 @@ SEEN = {"update_install_s": 300.0, "start_sectors_written": 0, "power_cycles": 2
 MANY = SEEN | {"power_cycles": 500, "variable_cuts": 250, "data_cuts": 5000, "boots_after_cut": 250}
 
 
+ALTERED = [{"altered": "99600"}]  # Beside those of CASES.
+
+
 def faults(*more, passed=True, seen=MANY, bundle_bytes=80_000_000, is_release=True):
-    found = update_report.figures([*more, *CASES], passed, seen, bundle_bytes)
+    found = update_report.figures([*more, *CASES, *(ALTERED if is_release else [])], passed, seen, bundle_bytes)
     bounds = update_report.bounds_of(is_release)
     return list(update_report.bounded_report.faults(found, bounds, update_report.OF_A_RELEASE, is_release))
 
@@ -31,6 +34,9 @@ def main():
     assert len(faults(seen=SEEN)) == 4, "a release cuts the power more often"
     assert faults(seen={name: figure for name, figure in MANY.items() if name != "bad_versions_booted"}) == ["bad_versions_booted was not measured; ./box test --release does"]
     assert faults(seen=usual, is_release=False) == []
+    few = update_report.figures(CASES, True, MANY, 1)
+    bounds = update_report.bounds_of(True)
+    assert list(update_report.bounded_report.faults(few, bounds, {}, True)) == ["altered is 400, and 100000 to inf is wanted"]
     assert faults(seen=MANY | {"stale_packages": 2}) == ["stale_packages is 2, and 0 to 0 is wanted"]
     assert faults(bundle_bytes=None) == ["bundle_mb was not measured"]
     assert len(faults(bundle_bytes=96_000_000)) == 1
