@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/data_cuts.h"
 #include "hw-sim/hil/disk_copy.h"
@@ -21,6 +22,8 @@ using std::chrono::seconds;
 
 // The trial itself takes one to three minutes of the machine, whose clock is the host's.
 constexpr Duration kLongestTrial = minutes(6);
+// Of a root or its hash tree: a partition has 384 MiB.
+constexpr std::size_t kMostOfSlot_bytes = std::size_t{384} << 20U;
 // For each unit of Scene::effort.
 constexpr int kUpdateCuts = 10, kDataCuts = 200;
 // Of a disk that lies, until one is found wrong.
@@ -47,6 +50,35 @@ Result<void> WantNothingAstray(Scene& scene, const UpdateHistory& history, const
   return {};
 }
 
+// The one write that decides comes when all of the new slot is safe, and nothing of that slot is written afterwards.
+Result<void> WantOneDecision(const UpdateHistory& history, const UpdatedPc& pc, const DiskSpan& deciding) {
+  std::vector<DiskSpan> slot;
+  for (const char* name : {"root-b", "verity-b", "boot"}) {
+    const auto span = PartitionSpan(pc.Disk(), name);
+    if (!span) return tl::unexpected(span.error());
+    slot.push_back(*span);
+  }
+  const std::string fault = DecisionFault(history.Writes(), slot, deciding);
+  return fault.empty() ? Result<void>{} : FailInput("of an update: " + fault);
+}
+
+// The slot has what the image was made of, byte by byte, on the disk as the cut left it: an update of the same system.
+Result<void> WantWholeSlotB(const std::string& disk, const std::string& image) {
+  for (const auto& [name, file] :
+       {std::pair{"root-b", "/root.erofs"}, std::pair{"verity-b", "/root.verity"}}) {
+    const auto wanted = ReadFile(image + file, {.most_bytes = kMostOfSlot_bytes});
+    auto span = PartitionSpan(disk, name);
+    if (!wanted) return tl::unexpected(wanted.error());
+    if (!span) return tl::unexpected(span.error());
+    span->bytes = wanted->size();
+    const auto there = ReadPart(disk, *span);
+    if (!there) return tl::unexpected(there.error());
+    if (*there != *wanted)
+      return FailInput(fmt::format("{} is not whole when the update is confirmed", name));
+  }
+  return {};
+}
+
 // Right before and after the one write that changes which slot starts; of the others half are evenly spread, and half lie where chance has
 // them.
 std::vector<std::size_t> CutPoints(Scene& scene, std::size_t entries, std::size_t decides) {
@@ -66,12 +98,14 @@ Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc
   const auto decision = pc.DecidingSector();
   if (!decision) return tl::unexpected(decision.error());
   const std::size_t decides = history.FirstInto(*decision);
-  if (decides == history.entries()) return FailInput("nothing confirmed the update");
+  if (auto ok = WantOneDecision(history, pc, *decision); !ok) return ok;
   auto& figures = scene.finding.figures;
   figures["update_writes"] = static_cast<double>(history.entries());
   figures["boots_without_face"] = 0;
   for (const std::size_t point : CutPoints(scene, history.entries(), decides)) {
     if (auto ok = history.CutAfter(point, pc); !ok) return ok;
+    if (point == decides)
+      if (auto ok = WantWholeSlotB(pc.Disk(), scene.target.machine().options().image); !ok) return ok;
     const char named = pc.Default(), wanted = point <= decides ? 'a' : 'b';
     if (named != wanted)
       return FailInput(fmt::format("after write {} of {} slot {} starts by itself, and {} should", point,

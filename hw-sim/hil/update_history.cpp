@@ -11,15 +11,6 @@
 #include "hw-sim/hil/disk_copy.h"
 
 namespace kaori::hil {
-namespace {
-
-// Whether they have a byte in common.
-bool Meets(const LoggedWrite& write, const DiskSpan& span) {
-  return write.at_bytes < span.at_bytes + span.bytes && span.at_bytes < write.at_bytes + write.bytes;
-}
-
-}  // namespace
-
 // Whoever cuts the power of a machine finds on its disk all that it had flushed, and of the rest what the disk pleased to
 // write. Here a cut is between two writes in the order in which QEMU finished them: the disk keeps no cache of its own.
 // Losses and other orders are tried without a machine, by tests/appliance/programs/update_power_cut_test.cpp, which judge
@@ -61,6 +52,13 @@ Result<void> UpdateHistory::Add(const UpdatedPc& pc) {
   return {};
 }
 
+std::vector<LoggedWrite> UpdateHistory::Writes() const {
+  std::vector<LoggedWrite> writes;
+  for (const WriteLog& start : starts_)
+    writes.insert(writes.end(), start.entries().begin(), start.entries().end());
+  return writes;
+}
+
 // Flushes are entries, too.
 std::size_t UpdateHistory::entries() const {
   return std::transform_reduce(starts_.begin(), starts_.end(), std::size_t{0}, std::plus(),
@@ -72,7 +70,7 @@ std::size_t UpdateHistory::FirstInto(const DiskSpan& span) const {
   std::size_t before = 0;
   for (const WriteLog& start : starts_) {
     const auto& entries = start.entries();
-    const auto found = std::ranges::find_if(entries, [&](const auto& write) { return Meets(write, span); });
+    const auto found = std::ranges::find_if(entries, [&](const auto& write) { return span.Meets(write); });
     before += static_cast<std::size_t>(found - entries.begin());
     if (found != entries.end()) break;
   }

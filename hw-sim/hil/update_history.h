@@ -26,7 +26,9 @@ class UpdateHistory {
   const std::vector<WriteLog>& starts() const { return starts_; }
   // The disk as it stands: as all began, until the first CutAfter.
   std::string Disk() const { return folder_ + "/cut.disk"; }
-  // Of all starts, in order.
+  // Of all starts, in order; where their content lies is of no use without the start.
+  std::vector<LoggedWrite> Writes() const;
+  // How many there are.
   std::size_t entries() const;
   // The first entry that writes into this span, counted over all starts; entries() where none does. Pure.
   std::size_t FirstInto(const DiskSpan& span) const;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "firmware/wire/bytes.h"
 #include "hw-sim/hil/disk_copy.h"
@@ -29,6 +32,29 @@ bool ReadSector(std::ifstream& file, std::uint64_t at, std::array<std::uint8_t, 
 // A write that reaches beyond is not held: it changes something else as well.
 bool DiskSpan::Holds(const LoggedWrite& write) const {
   return write.at_bytes >= at_bytes && write.at_bytes + write.bytes <= at_bytes + bytes;
+}
+
+bool DiskSpan::Meets(const LoggedWrite& write) const {
+  return write.at_bytes < at_bytes + bytes && at_bytes < write.at_bytes + write.bytes;
+}
+
+std::string DecisionFault(const std::vector<LoggedWrite>& entries, const std::vector<DiskSpan>& before,
+                          const DiskSpan& deciding) {
+  bool decided = false;
+  int unflushed = 0;
+  for (const LoggedWrite& write : entries) {
+    if (write.bytes == 0) {
+      unflushed = 0;
+    } else if (deciding.Meets(write)) {
+      if (!deciding.Holds(write)) return "the write that decides changes something else as well";
+      if (std::exchange(decided, true)) return "what decides is written twice";
+      if (unflushed > 0) return fmt::format("{} writes have not been flushed when it decides", unflushed);
+    } else if (std::ranges::any_of(before, [&](const DiskSpan& span) { return span.Meets(write); })) {
+      if (decided) return "it writes on after it has decided";
+      ++unflushed;
+    }
+  }
+  return decided ? "" : "nothing decides";
 }
 
 // QEMU writes the head at each flush: before the first one there is none.

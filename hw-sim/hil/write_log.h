@@ -25,7 +25,14 @@ struct DiskSpan {
   std::uint64_t bytes = 0;
   // Whether the write lies in it wholly. Pure.
   bool Holds(const LoggedWrite& write) const;
+  // Whether they have a byte in common. Pure.
+  bool Meets(const LoggedWrite& write) const;
 };
+
+// What is wrong with how a machine decided something by one write into the sector `deciding`, and nothing where all is right: what it
+// wrote into the spans `before` (but into that sector) was flushed by then, no more of it followed, and the sector was written once. Pure.
+std::string DecisionFault(const std::vector<LoggedWrite>& entries, const std::vector<DiskSpan>& before,
+                          const DiskSpan& deciding);
 
 // Entries of one start of a machine. Its content stays in the file, which must live as long.
 class WriteLog {

@@ -120,5 +120,49 @@ TEST_F(WriteLogs, TellWhatLiesBesideTheSpans) {
   EXPECT_EQ(log->SectorsOutside({{0, 2 * kSector_bytes}, {2 * kSector_bytes, kSector_bytes}}), 0U);
 }
 
+// A slot of two sectors, 0 and 1, and sector 3 that decides.
+class Decisions : public WriteLogs {
+ protected:
+  std::string Fault() const {
+    return DecisionFault(Read().value().entries(), {{0, 2 * kSector_bytes}},
+                         {3 * kSector_bytes, kSector_bytes});
+  }
+};
+
+TEST_F(Decisions, AreRightOnceAllBeforeThemIsFlushed) {
+  AddWrite(0, "ab");
+  AddWrite(2, "x");
+  AddFlush();
+  AddWrite(2, "y");
+  AddWrite(3, "c");
+  AddWrite(2, "z");
+  EXPECT_EQ(Fault(), "");
+}
+
+TEST_F(Decisions, AreTooEarlyWhereSomethingIsNotFlushed) {
+  AddWrite(0, "a");
+  AddFlush();
+  AddWrite(1, "b");
+  AddWrite(3, "c");
+  EXPECT_EQ(Fault(), "1 writes have not been flushed when it decides");
+}
+
+TEST_F(Decisions, AreWrongWhereSomethingFollows) {
+  AddWrite(3, "c");
+  AddWrite(1, "b");
+  EXPECT_EQ(Fault(), "it writes on after it has decided");
+}
+
+TEST_F(Decisions, AreMadeOnceAndAlone) {
+  EXPECT_EQ(Fault(), "nothing decides");
+  AddWrite(3, "c");
+  EXPECT_EQ(Fault(), "");
+  AddWrite(3, "c");
+  EXPECT_EQ(Fault(), "what decides is written twice");
+  log_.resize(kSector_bytes);
+  AddWrite(2, "bc");
+  EXPECT_EQ(Fault(), "the write that decides changes something else as well");
+}
+
 }  // namespace
 }  // namespace kaori::hil
