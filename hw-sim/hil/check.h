@@ -39,6 +39,8 @@ struct Finding {
   std::vector<std::pair<std::string, std::string>> texts{};
   // Of the check and its control, without the start of the box.
   double took_s = 0;
+  // How many times as much was tried, of a check that asked for it (Scene::Effort); 0: of no other one.
+  int effort = 0;
 };
 
 // What a check works with. Made anew for each check and each control; borrows everything.
@@ -53,14 +55,17 @@ struct Scene {
   int replugs = 20;
   // Of the scenario, from its beginning; 0: all.
   int scenes = 0;
-  // How many times as much is tried of what a check tries again and again; 1 or more.
-  int effort = 1;
+  // For Effort; 1 or more.
+  int wanted_effort = 1;
   // Seeded from the command line, so that a run can be repeated.
   std::mt19937& chance;
   // The scenario that is played.
   std::string play;
   // The box's programs as the check found them; none where the box has no agent, or is off.
   std::vector<BoxProgram> programs{};
+
+  // How many times as much is tried of what a check tries again and again. The finding says so.
+  int Effort() { return finding.effort = wanted_effort; }
 
   // Presses a key (HID page 7) of the box's keyboard for as long as a person does: the input program of an emulated
   // box reads it late. Blocks meanwhile.

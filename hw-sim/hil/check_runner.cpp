@@ -99,7 +99,7 @@ Scene CheckRunner::SceneOf(Finding& finding) {
           .folder = options_.report,
           .replugs = options_.replugs,
           .scenes = options_.scenes,
-          .effort = options_.effort,
+          .wanted_effort = options_.effort,
           .chance = chance_,
           .play = options_.play};
 }

@@ -25,7 +25,8 @@ nlohmann::json ToJson(const ReportedCheck& check) {
           {"said", found.said},
           {"pictures", std::move(pictures)},
           {"figures", found.figures},
-          {"took_s", found.took_s}};
+          {"took_s", found.took_s},
+          {"effort", found.effort}};
 }
 
 // Throws what nlohmann's library throws where something is missing or of another kind.
@@ -34,6 +35,7 @@ ReportedCheck FromJson(const nlohmann::json& kept) {
   check.finding.said = kept.at("said");
   check.finding.figures = kept.at("figures").get<std::map<std::string, double>>();
   check.finding.took_s = kept.at("took_s");
+  check.finding.effort = kept.at("effort");
   for (const auto& picture : kept.at("pictures"))
     check.finding.pictures.push_back({picture.at("file"), picture.at("caption")});
   return check;
@@ -56,15 +58,17 @@ Result<void> KeepReport(const Report& report, const std::vector<ReportedCheck>& 
 }
 
 // A file that somebody has changed is no report: all is tried then.
-std::vector<ReportedCheck> KeptPasses(const std::string& trial, const std::string& folder) {
+std::vector<ReportedCheck> KeptPasses(const std::string& trial, int effort, const std::string& folder) {
   const auto text = ReadFile(folder + kKeptReport, {.most_levels = kMostLevels});
   if (!text) return {};
   const auto kept = nlohmann::json::parse(*text, nullptr, false);
   std::vector<ReportedCheck> passes;
   try {
     if (kept.is_discarded() || kept.at("trial") != trial) return {};
-    for (const auto& check : kept.at("checks"))
-      if (check.at("passed") == true) passes.push_back(FromJson(check));
+    for (const auto& check : kept.at("checks")) {
+      const bool enough = check.at("effort") == 0 || check.at("effort") >= effort;
+      if (enough && check.at("passed") == true) passes.push_back(FromJson(check));
+    }
   } catch (const nlohmann::json::exception&) {
     return {};
   }

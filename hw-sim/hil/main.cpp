@@ -105,16 +105,15 @@ std::string RootHash(const std::string& image) {
   return {};
 }
 
-// All that a finding depends on: the image, this program and the agent that was built with it, and how much is tried.
+// All that a finding depends on but the effort: the image, this program and the agent that was built with it, and how much is tried.
 std::string TrialOf(const Settings& settings, const std::string& root_hash) {
   const std::filesystem::path bench = std::filesystem::read_symlink("/proc/self/exe");
   std::uint64_t sum = kaori::kFnvBasis;
   for (const std::string file : {bench, bench.parent_path() / "kaori-hil-agent"})
     if (const auto bytes = kaori::ReadFile(file, {.most_bytes = std::size_t{1} << 30U}))
       sum = kaori::Fnv1a(*bytes, sum);
-  return fmt::format("image {}, bench {:016x}, {} scenes, {} replugs, effort {}, seed {}{}", root_hash, sum,
-                     settings.scenes, settings.replugs, settings.effort, settings.seed,
-                     settings.controls ? ", controls" : "");
+  return fmt::format("image {}, bench {:016x}, {} scenes, {} replugs, seed {}{}", root_hash, sum,
+                     settings.scenes, settings.replugs, settings.seed, settings.controls ? ", controls" : "");
 }
 
 // For sockets, whose paths have 108 bytes at most (unix(7)): the report's folder may lie too deep.
@@ -126,8 +125,9 @@ kaori::Result<std::string> MakeFolder() {
 
 // One line for each check, as it ends: a run takes long. `before`: in a run before this one.
 void Tell(const kaori::hil::ReportedCheck& check, bool before) {
-  const auto& [verdict, said, pictures, figures, texts, took_s] = check.finding;
-  fmt::print("{}  {:6.1f} s  {}: {}{}\n", Mark(verdict), took_s, check.name, before ? "before: " : "", said);
+  const kaori::hil::Finding& found = check.finding;
+  fmt::print("{}  {:6.1f} s  {}: {}{}\n", Mark(found.verdict), found.took_s, check.name,
+             before ? "before: " : "", found.said);
   std::fflush(stdout);
 }
 
@@ -179,18 +179,19 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
   const kaori::SteadyClock clock;
   auto target = kaori::hil::Target::Open(MachineOf(settings, sockets, size), clock);
   if (!target) return Exit(target.error());
+  const int effort = std::max(1, std::atoi(settings.effort.c_str()));
   kaori::hil::CheckRunner runner(
       {.report = settings.report,
        .play = settings.play,
        .replugs = std::atoi(settings.replugs.c_str()),
        .scenes = std::atoi(settings.scenes.c_str()),
-       .effort = std::max(1, std::atoi(settings.effort.c_str())),
+       .effort = effort,
        .seed = static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10)),
        .controls = settings.controls},
       **target);
   kaori::hil::Report report{.image = settings.image, .root_hash = RootHash(settings.image), .checks = {}};
   const std::string trial = TrialOf(settings, report.root_hash);
-  const auto kept = settings.go_on ? kaori::hil::KeptPasses(trial, settings.report)
+  const auto kept = settings.go_on ? kaori::hil::KeptPasses(trial, effort, settings.report)
                                    : std::vector<kaori::hil::ReportedCheck>();
   for (const auto& check : WantedChecks(settings)) {
     const auto passed = std::ranges::find(kept, check.name, &kaori::hil::ReportedCheck::name);

@@ -14,7 +14,7 @@
 namespace kaori::hil {
 namespace {
 
-constexpr int kCycles = 20, kVariableCuts = 10;  // For each unit of Scene::effort.
+constexpr int kCycles = 20, kVariableCuts = 10;  // For each unit of Scene::Effort.
 // From the firmware's first moment to some frames of the show: so long on a quiet bench, and so many times the first whole start on
 // a busy one.
 constexpr double kLongestCycle_s = 15, kLongestCycle_starts = 1.2;
@@ -82,7 +82,7 @@ Result<void> CutVariables(Scene& scene, const UpdatedPc& pc) {
   if (writes == 0) return FailInput("the firmware kept nothing in its first start");
   auto& figures = scene.finding.figures;
   figures["variable_writes"] = static_cast<double>(writes);
-  const int cuts = kVariableCuts * scene.effort;
+  const int cuts = kVariableCuts * scene.Effort();
   for (int n = 0; n < cuts; ++n) {
     const std::size_t even = writes * static_cast<std::size_t>(n + 1) / static_cast<std::size_t>(cuts + 1);
     const std::size_t until =
@@ -104,7 +104,7 @@ Result<void> CyclePower(Scene& scene, const UpdatedPc& pc) {
   auto& figures = scene.finding.figures;
   std::uniform_real_distribution<double> long_s(
       0, std::max(kLongestCycle_s, kLongestCycle_starts * figures["whole_start_s"]));
-  for (int n = 0; n < kCycles * scene.effort; ++n) {
+  for (int n = 0; n < kCycles * scene.Effort(); ++n) {
     if (auto ok = pc.StartNoted(scene); !ok) return ok;
     scene.target.For(
         std::chrono::duration_cast<Duration>(std::chrono::duration<double>(long_s(scene.chance))));

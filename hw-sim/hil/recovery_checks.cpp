@@ -89,7 +89,7 @@ Result<void> Held(Scene& scene) {
   if (!held) return tl::unexpected(held.error());
   int deaths = 0;
   for (const Death& death : kDeaths)
-    for (int n = 0; n < death.times * std::min(scene.effort, 4); ++n, ++deaths) {
+    for (int n = 0; n < death.times * std::min(scene.Effort(), 4); ++n, ++deaths) {
       if (auto ok = AwaitSomeFrames(scene); !ok) return ok;
       if (auto ok = WatchOneDeath(scene, death, *held); !ok) return ok;
     }

@@ -24,7 +24,7 @@ using std::chrono::seconds;
 constexpr Duration kLongestTrial = minutes(6);
 // Of a root or its hash tree: a partition has 384 MiB.
 constexpr std::size_t kMostOfSlot_bytes = std::size_t{384} << 20U;
-// For each unit of Scene::effort.
+// For each unit of Scene::Effort.
 constexpr int kUpdateCuts = 10, kDataCuts = 200;
 // Of a disk that lies, until one is found wrong.
 constexpr int kLiesAtOnce = 20, kMostLies = 200;
@@ -83,7 +83,7 @@ Result<void> WantWholeSlotB(const std::string& disk, const std::string& image) {
 // them.
 std::vector<std::size_t> CutPoints(Scene& scene, std::size_t entries, std::size_t decides) {
   std::vector<std::size_t> points{decides, decides + 1};
-  const int others = kUpdateCuts * scene.effort - 2;
+  const int others = kUpdateCuts * scene.Effort() - 2;
   for (int n = 0; n < others; ++n)
     points.push_back(n % 2 == 0
                          ? entries * static_cast<std::size_t>(n + 1) / static_cast<std::size_t>(others + 1)
@@ -123,7 +123,7 @@ Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc
 
 // The data partition alone, of a disk that loses and tears what was not flushed: many more cuts than machines could be started for.
 Result<void> CutItsData(Scene& scene, const UpdateHistory& history) {
-  const auto cuts = CutData(scene, history, history.Disk(), kDataCuts * scene.effort, false);
+  const auto cuts = CutData(scene, history, history.Disk(), kDataCuts * scene.Effort(), false);
   if (!cuts) return tl::unexpected(cuts.error());
   scene.finding.figures["data_cuts"] = cuts->cuts;
   scene.finding.figures["data_cuts_wrong"] = cuts->wrong;
