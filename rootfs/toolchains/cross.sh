@@ -77,11 +77,12 @@ cross() {
 }
 
 # What is not run in QEMU's user mode, by the names of tests: what reads the sources alone; what starts programs of its own, which the kernel
-# would have to hand to QEMU (UsbProgram, the firmware's wrong builds); what is within umockdev, for which a program starts itself again
+# would have to hand to QEMU (UsbProgram, AgentPrograms, the firmware's wrong builds); what is within umockdev, for which a program starts itself again
 # (drivers-mock, and libusb of the contracts); golden pictures, whose last bits are a processor's; what draws hundreds of
-# pictures, of which a processor that is emulated draws one in a second (how they are drawn is tested by passes, stage and captions); and of
-# three tests what they look at: how posix_spawn fails, what is said beside a crash, and the file of /proc/self/exe are QEMU's there.
-readonly NOT_EMULATED='^(rules|gates|rootfs|system|files|boot|drivers-mock|golden)[:-]|^contracts: .*/Libusb$| in Chromium$|^usb-policy:UsbProgram\.|^surface: builds that are wrong|^look:(Expressions|Garments|Hair|QualityTest)\.|^passes:Painter\.AllocatesNothing|^stage:StageTest\.TakesNothingFromTheHeap|^drivers:RunProgram\.ThatAreMissing|^crash:CrashReport\.(HoldsNoPath|OfAnOlderImage)'
+# pictures, of which a processor that is emulated draws one in a second (how they are drawn is tested by passes, stage and captions); a time
+# that is for a real processor (cue-lists); and of six tests what they look at: how posix_spawn fails, what is said beside a crash, how a
+# fault ends a program, and the file of /proc/self/exe are QEMU's there.
+readonly NOT_EMULATED='^(rules|gates|rootfs|system|files|boot|drivers-mock|golden)[:-]|^contracts:.*/Libusb| in Chromium$|^usb-policy:UsbProgram\.|^surface: builds that are wrong|^look:(Expressions|Garments|Hair|QualityTest)\.|^passes:Painter\.AllocatesNothing|^stage:StageTest\.TakesNothingFromTheHeap|^voice:.*SoundAndMouth\.|^scenario:LogPlayerTest\.ShowsWhatTheWhole|^drivers:RunProgram\.ThatAreMissing|^shows:Trial\.SaysWhatTheOther|^scenario:FilmTest\.WithoutFfmpeg|^bench:AgentPrograms\.|^cue-lists:ManyCues\.LoadWithin|^board:Healing\.LeavesOtherFaults|^crash:CrashReport\.(HoldsNoPath|OfAnOlderImage)'
 
 test_arm64() {
   need "${BUILD_PACKAGES[@]}" "${CROSS_PACKAGES[@]}" "${CROSS_TEST_PACKAGES[@]}"

@@ -25,6 +25,9 @@ constexpr float kLipWidth_m =
     0.002F;                        // A tooth that shows this far outside the lips' edge is still behind them.
 constexpr float kReach_m = 0.07F;  // Triangles further than this from the lips cannot cover a tooth.
 
+// In parts of a triangle: a tooth that lies exactly behind the edge of two is covered, however a processor rounds.
+constexpr float kOnEdge = 1e-4F;
+
 float Presence(const face::MouthFit& fit, Part part) {
   if (part == Part::kUpperTeeth) return fit.upper_teeth;
   if (part == Part::kLowerTeeth) return fit.lower_teeth;
@@ -88,7 +91,7 @@ class View {
     const float area = Cross(b - a, c - a);
     const float in_b = Cross(glm::vec2(p - a), c - a) / area;
     const float in_c = Cross(b - a, glm::vec2(p - a)) / area;
-    if (!(in_b >= 0 && in_c >= 0 && in_b + in_c <= 1)) return false;
+    if (!(in_b >= -kOnEdge && in_c >= -kOnEdge && in_b + in_c <= 1 + kOnEdge)) return false;
     return a.z + in_b * (b.z - a.z) + in_c * (c.z - a.z) > p.z;
   }
 
