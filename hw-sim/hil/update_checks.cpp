@@ -32,17 +32,24 @@ constexpr int kLiesAtOnce = 20, kMostLies = 200;
 // A spoilt slot may take so long to show that it has no face, as in power_cycle_checks.cpp.
 constexpr Duration kNoFaceOfB = seconds(60);
 
+// Where partitions of these names lie. Errors: as PartitionSpan.
+Result<std::vector<DiskSpan>> Spans(const std::string& disk, std::initializer_list<const char*> names) {
+  std::vector<DiskSpan> spans;
+  for (const char* name : names) {
+    const auto span = PartitionSpan(disk, name);
+    if (!span) return tl::unexpected(span.error());
+    spans.push_back(*span);
+  }
+  return spans;
+}
+
 // Where an update may write: beside it, the disk has what must start after any cut.
 Result<void> WantNothingAstray(Scene& scene, const UpdateHistory& history, const UpdatedPc& pc) {
-  std::vector<DiskSpan> allowed;
-  for (const char* name : {"data", "root-b", "verity-b", "boot"}) {
-    const auto span = PartitionSpan(pc.Disk(), name);
-    if (!span) return tl::unexpected(span.error());
-    allowed.push_back(*span);
-  }
+  const auto allowed = Spans(pc.Disk(), {"data", "root-b", "verity-b", "boot"});
+  if (!allowed) return tl::unexpected(allowed.error());
   const auto tables = pc.FatTables();
   if (!tables) return tl::unexpected(tables.error());
-  const std::uint64_t astray = history.SectorsOutside(allowed);
+  const std::uint64_t astray = history.SectorsOutside(*allowed);
   scene.finding.figures["update_sectors_astray"] = static_cast<double>(astray);
   if (astray > 0) return FailInput(fmt::format("an update writes {} sectors where it must not", astray));
   if (history.FirstInto(*tables) < history.entries())
@@ -52,13 +59,9 @@ Result<void> WantNothingAstray(Scene& scene, const UpdateHistory& history, const
 
 // The one write that decides comes when all of the new slot is safe, and nothing of that slot is written afterwards.
 Result<void> WantOneDecision(const UpdateHistory& history, const UpdatedPc& pc, const DiskSpan& deciding) {
-  std::vector<DiskSpan> slot;
-  for (const char* name : {"root-b", "verity-b", "boot"}) {
-    const auto span = PartitionSpan(pc.Disk(), name);
-    if (!span) return tl::unexpected(span.error());
-    slot.push_back(*span);
-  }
-  const std::string fault = DecisionFault(history.Writes(), slot, deciding);
+  const auto slot = Spans(pc.Disk(), {"root-b", "verity-b", "boot"});
+  if (!slot) return tl::unexpected(slot.error());
+  const std::string fault = DecisionFault(history.Writes(), *slot, deciding);
   return fault.empty() ? Result<void>{} : FailInput("of an update: " + fault);
 }
 

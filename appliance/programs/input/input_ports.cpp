@@ -100,7 +100,7 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
                 Printable((*device)->identity().name) + ": the device is not one that the show uses");
   if (kind == decode::DeviceKind::kKeyboard && !has_keyboards_)
     return Skip(port, kind, "a keyboard is not used, since this box is a kiosk");
-  Binding* binding = BindingFor(kind, port, now);
+  Binding* binding = BindingFor(kind, port);
   if (binding == nullptr)
     return Skip(port, kind, "the slot for this kind of device is occupied; the device is a spare");
   Attach(*binding, port, std::move(*device), now);
@@ -122,8 +122,8 @@ void InputService::Attach(Binding& binding, const BusPort& port, std::unique_ptr
 }
 
 // Of the kinds with one slot; two sticks are told apart by their ports.
-InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const BusPort& port, Time now) {
-  if (kind == decode::DeviceKind::kJoystick) return StickBinding(port, now);
+InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const BusPort& port) {
+  if (kind == decode::DeviceKind::kJoystick) return StickBinding(port);
   for (Binding& binding : bindings_) {
     const bool fits = binding.only_port.empty() || binding.only_port == port.name;
     if (binding.kind == kind && !binding.device && fits) return &binding;
@@ -132,8 +132,8 @@ InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const B
 }
 
 // Spares stay spares: StickRoles gives no role that another stick has.
-InputService::Binding* InputService::StickBinding(const BusPort& port, Time now) {
-  OrderSticks(port, now);
+InputService::Binding* InputService::StickBinding(const BusPort& port) {
+  OrderSticks(port);
   std::array<bool, kSticks> occupied{};
   for (std::size_t i = 0; i < occupied.size(); ++i)
     occupied[i] = bindings_[kFirstStick + i].device != nullptr;
@@ -141,12 +141,12 @@ InputService::Binding* InputService::StickBinding(const BusPort& port, Time now)
   return role ? &bindings_[kFirstStick + static_cast<std::size_t>(*role)] : nullptr;
 }
 
-// Somebody who has moved the stick or pushed its buttons plays what it plays.
-void InputService::OrderSticks(const BusPort& port, Time now) {
+// Somebody who has moved the stick or pushed its buttons plays what it plays. The device at `port` may have taken long to open.
+void InputService::OrderSticks(const BusPort& port) {
   Binding &left = bindings_[kFirstStick], &right = bindings_[kFirstStick + 1];
   if (!left.device || right.device || !roles_.IsBeforeLeft(port.name)) return;
-  if (clock_.now() - left.attached_at > kSticksApart || !IsUntouched(board_.Read<board::Stick>(0).value))
-    return;
+  const Time now = clock_.now();
+  if (now - left.attached_at > kSticksApart || !IsUntouched(board_.Read<board::Stick>(0).value)) return;
   Log("a stick at port {} comes before the one at port {}, which is the right stick now", port.name,
       left.port.name);
   roles_.MoveLeftToRight();

@@ -143,10 +143,10 @@ class InputService {
   // A device that is there and cannot be opened: tried again every 250 ms, or later where the attempt took long.
   void RetryLater(const BusPort& port, const Error& error, Duration took);
   // The free slot for a device of this kind at this port; null where there is none.
-  Binding* BindingFor(decode::DeviceKind kind, const BusPort& port, Time now);
-  Binding* StickBinding(const BusPort& port, Time now);
+  Binding* BindingFor(decode::DeviceKind kind, const BusPort& port);
+  Binding* StickBinding(const BusPort& port);
   // Makes the left stick the right one where a stick at `port` should be left of it and nobody plays yet.
-  void OrderSticks(const BusPort& port, Time now);
+  void OrderSticks(const BusPort& port);
   void Attach(Binding& binding, const BusPort& port, std::unique_ptr<ports::HidChannel> device, Time now);
   // Decodes the reports that wait, 256 at most, and publishes once.
   void ReadReports(Binding& binding, Time now);

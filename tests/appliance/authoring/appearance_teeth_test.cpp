@@ -25,9 +25,6 @@ constexpr float kLipWidth_m =
     0.002F;                        // A tooth that shows this far outside the lips' edge is still behind them.
 constexpr float kReach_m = 0.07F;  // Triangles further than this from the lips cannot cover a tooth.
 
-// In parts of a triangle: a tooth that lies exactly behind the edge of two is covered, however a processor rounds.
-constexpr float kOnEdge = 1e-4F;
-
 float Presence(const face::MouthFit& fit, Part part) {
   if (part == Part::kUpperTeeth) return fit.upper_teeth;
   if (part == Part::kLowerTeeth) return fit.lower_teeth;
@@ -48,7 +45,9 @@ glm::vec3 SeenFrom(float yaw_rad, glm::vec3 p) {
   return {c * p.x - s * p.z, p.y, s * p.x + c * p.z};
 }
 
-float Cross(glm::vec2 a, glm::vec2 b) {
+// Products of floats are exact in doubles: Cross(a, b) is -Cross(b, a) to the last bit, however a processor joins the operations, so that no
+// point lies between two triangles.
+double Cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
@@ -88,11 +87,12 @@ class View {
 
   bool Covers(const face::Triangle& t, glm::vec3 p) const {
     const glm::vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-    const float area = Cross(b - a, c - a);
-    const float in_b = Cross(glm::vec2(p - a), c - a) / area;
-    const float in_c = Cross(b - a, glm::vec2(p - a)) / area;
-    if (!(in_b >= -kOnEdge && in_c >= -kOnEdge && in_b + in_c <= 1 + kOnEdge)) return false;
-    return a.z + in_b * (b.z - a.z) + in_c * (c.z - a.z) > p.z;
+    const double area = Cross(b - a, c - a);
+    const double in_a = Cross(b - p, c - p) / area;
+    const double in_b = Cross(c - p, a - p) / area;
+    const double in_c = Cross(a - p, b - p) / area;
+    if (!(in_a >= 0 && in_b >= 0 && in_c >= 0)) return false;
+    return in_a * a.z + in_b * b.z + in_c * c.z > p.z;
   }
 
   float yaw_rad_;

@@ -21,6 +21,7 @@ constexpr std::uint8_t kKeyA = 0x04;
 
 class Cables : public InputFixture {};
 class BadReports : public InputFixture {};
+
 // Two equal sticks, of which the one at the later port is listed first, as it happens when a box starts.
 class LateStick : public OwnedDevices {
  protected:
