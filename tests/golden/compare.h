@@ -16,7 +16,8 @@ struct Tolerance {
 inline constexpr int kFar = 24;
 
 // Empty when `picture` matches the accepted picture `name`; else one line that says how it differs. A picture
-// that does not match is written to the folder golden of the build, to be looked at. With
+// that does not match is written to the folder golden of the build, to be looked at: NAME.png as it was drawn, and
+// NAME-compared.png, where the accepted one, this one and their difference stand side by side. With
 // KAORI_ACCEPT_GOLDEN=1 in the environment the picture is accepted instead: look at it before you commit it.
 std::string Compare(const image::Picture& picture, const std::string& name, const Tolerance& tolerance = {});
 

@@ -113,6 +113,7 @@ TEST_F(PlayTest, TheSameScenarioGivesTheSameBoardAndTheSamePictures) {
 
 TEST_F(PlayTest, AHandOnADialIsSeenInThePicture) {
   Open(160, 90);
+  ASSERT_FALSE(HasFatalFailure());
   rehearsal_->rig().dial_box().Turn(6, -1);  // Life off: the face holds still.
   for (int i = 0; i < 20; ++i) Next();
   const auto before = Fnv1a(Next().rgbx);

@@ -1,0 +1,57 @@
+// What a person gets to look at when a picture is not as it was accepted.
+#include "tests/golden/compare.h"
+
+#include <gmock/gmock.h>
+
+namespace kaori::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ::testing::HasSubstr;
+
+const fs::path kAcceptedFolder = KAORI_GOLDEN_ACCEPTED;
+const fs::path kDifferingFolder = KAORI_GOLDEN_DIFFERING;
+constexpr const char* kPictureName = "play-00.8";
+
+// A channel of the lowest left pixel of a column.
+std::uint8_t At(const image::Picture& picture, int x_px, std::size_t channel) {
+  return picture.rgbx[4 * static_cast<std::size_t>(x_px) + channel];
+}
+
+TEST(Compare, SaysNothingOfTheAcceptedPictureItself) {
+  const auto accepted = image::ReadPng(kAcceptedFolder / (std::string(kPictureName) + ".png"));
+  ASSERT_TRUE(accepted) << accepted.error().message();
+  EXPECT_EQ(Compare(*accepted, kPictureName), "");
+}
+
+TEST(Compare, LaysAcceptedDrawnAndTheirDifferenceSideBySide) {
+  const auto accepted = image::ReadPng(kAcceptedFolder / (std::string(kPictureName) + ".png"));
+  ASSERT_TRUE(accepted) << accepted.error().message();
+  image::Picture drawn = *accepted;
+  const int width_px = drawn.width_px;
+  for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(width_px); i += 4)
+    drawn.rgbx[i] =
+        static_cast<std::uint8_t>(drawn.rgbx[i] ^ 0x20);  // The lowest row's red is 32 levels off.
+
+  const std::string said = Compare(drawn, kPictureName, {.mean = 0.01});
+  EXPECT_THAT(said, HasSubstr(kPictureName));
+  EXPECT_THAT(said, HasSubstr("play-00.8-compared.png"));
+
+  const auto beside = image::ReadPng(kDifferingFolder / (std::string(kPictureName) + "-compared.png"));
+  ASSERT_TRUE(beside) << beside.error().message();
+  ASSERT_EQ(beside->width_px, 3 * width_px);
+  ASSERT_EQ(beside->height_px, drawn.height_px);
+  EXPECT_EQ(At(*beside, 0, 0), At(*accepted, 0, 0));
+  EXPECT_EQ(At(*beside, width_px, 0), At(drawn, 0, 0));
+  EXPECT_EQ(At(*beside, 2 * width_px, 0), 4 * 32) << "four times as bright as it is off";
+  EXPECT_EQ(At(*beside, 2 * width_px, 1), 0) << "green is the same";
+  const auto kept = image::ReadPng(kDifferingFolder / (std::string(kPictureName) + ".png"));
+  ASSERT_TRUE(kept) << kept.error().message();
+  EXPECT_EQ(kept->rgbx[0], drawn.rgbx[0]);
+  for (const char* end : {".png", "-compared.png"})
+    fs::remove(kDifferingFolder / (std::string(kPictureName) + end));
+}
+
+}  // namespace
+}  // namespace kaori::golden
