@@ -13,8 +13,6 @@
 namespace kaori::hil {
 namespace {
 
-constexpr Duration kLongestCopy =
-    std::chrono::minutes(20);  // At the lowest priority, beside a face that wants all.
 constexpr const char* kNumber = "read /etc/machine-id";
 // What a box plays (appliance/core/store/play_log.h), and where its data partition is.
 constexpr const char* kPlays = "read /run/kaori/plays";
@@ -39,13 +37,14 @@ Result<void> ChooseLine(Scene& scene, std::string_view line, std::string_view an
 // A show of its own, and its backup on a stick that was empty.
 Result<First> BackUp(Scene& scene) {
   if (auto ok = BringKey(scene, "evening"); !ok) return tl::unexpected(ok.error());
-  if (auto ok = ChooseLine(scene, "evening  ", "it is on the box and plays now", kLongestCopy); !ok)
+  if (auto ok = ChooseLine(scene, "evening  ", "it is on the box and plays now", kLongestInstalling); !ok)
     return tl::unexpected(ok.error());
   const auto show = ChosenId(scene);
   if (!show) return tl::unexpected(show.error());
   const auto stick = PlugEmptyStick(scene, kBackupStick);
   if (!stick) return tl::unexpected(stick.error());
-  if (auto ok = ChooseLine(scene, "backup of this box", "the backup is on the stick", kLongestCopy); !ok)
+  if (auto ok = ChooseLine(scene, "backup of this box", "the backup is on the stick", kLongestInstalling);
+      !ok)
     return tl::unexpected(ok.error());
   return First{*show, TextInBox(scene, kNumber), *stick};
 }
@@ -71,7 +70,7 @@ Result<void> WantOnBox(Scene& scene, const std::string& file, bool there) {
 Result<std::string> ListRestore(Scene& scene, const std::string& stick) {
   constexpr std::string_view kNewKey = "new     settings/keys/";
   if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return tl::unexpected(ok.error());
-  if (auto ok = ChooseLine(scene, "restore kaori-", "nothing has changed yet", kLongestCopy); !ok)
+  if (auto ok = ChooseLine(scene, "restore kaori-", "nothing has changed yet", kLongestInstalling); !ok)
     return tl::unexpected(ok.error());
   if (auto ok = WantStickSaid(scene, kNewKey, std::chrono::seconds(5)); !ok)
     return tl::unexpected(ok.error());
@@ -87,7 +86,7 @@ Result<std::string> ListRestore(Scene& scene, const std::string& stick) {
 Result<std::string> Restore(Scene& scene, const First& first) {
   auto key = ListRestore(scene, first.stick);
   if (!key) return key;
-  if (auto ok = ChooseLine(scene, "yes, restore this", "switch the box off and on", kLongestCopy); !ok)
+  if (auto ok = ChooseLine(scene, "yes, restore this", "switch the box off and on", kLongestInstalling); !ok)
     return tl::unexpected(ok.error());
   return key;
 }
@@ -117,7 +116,7 @@ constexpr double kMostClone_minutes = 2;
 Result<void> AwaitEndOfFirstStart(Scene& scene) {
   constexpr const char* kLastOfIt = "own /usr/bin/journalctl -b --no-pager -o cat -u kaori-keep";
   const auto ended = [&] { return TextInBox(scene, kLastOfIt).find("Finished") != std::string::npos; };
-  if (scene.target.Until(ended, kLongestCopy)) return {};
+  if (scene.target.Until(ended, kLongestInstalling)) return {};
   return FailInput("the second box does not end its first start: no copy of its own show is kept");
 }
 

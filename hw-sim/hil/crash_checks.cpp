@@ -155,7 +155,7 @@ Result<std::string> BringEvening(Scene& scene) {
   scene.target.rig().gpio().Close(kStickKey);
   auto ok = BringKey(scene, "evening");
   if (ok) ok = PressFor(scene, kOne, "evening: it ");
-  if (ok) ok = WantStickSaid(scene, "it is on the box and plays now", std::chrono::minutes(20));
+  if (ok) ok = WantStickSaid(scene, "it is on the box and plays now", kLongestInstalling);
   auto id = ok ? ChosenId(scene) : Result<std::string>(tl::unexpected(ok.error()));
   scene.target.rig().gpio().Open(kStickKey);
   static_cast<void>(scene.target.machine().PullUnauthorised());

@@ -18,7 +18,6 @@ namespace {
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-constexpr Duration kLongestInstalling = minutes(20);  // At the lowest priority, beside a face that wants all.
 // Without another word or percent. What an update takes as a whole is no fault: at a tenth of the time of an emulated machine, which is
 // what the face may leave it, that was 21 minutes.
 constexpr Duration kLongestStandstill = minutes(10);
@@ -60,23 +59,26 @@ Result<void> InstallUnderPlay(Scene& scene, const Bringing& what) {
   const auto first = scene.target.Board();
   auto last = first;
   std::string said;
+  const auto is_done = [&] { return said.find(what.done) != std::string::npos; };
   const auto ask = [&] {
     // No answer is nothing new.
     if (std::string heard = TextInBox(scene, kSaid); !heard.empty()) said = std::move(heard);
     auto board = scene.target.Board();
     // Asked behind the look: while the first stage runs nobody else has counted.
     if (board && TextInBox(scene, kStage) == stage) last = std::move(board);
-    return said.find(what.done) != std::string::npos;
+    return is_done();
   };
   static_cast<void>(scene.target.Until(ask, kRateSpan));
   const auto began = last;
   if (auto ok = PressFor(scene, kOne, what.begins); !ok) return ok;
-  bool is_done = false;
-  for (bool goes_on = true; goes_on && !is_done;) {
-    const auto is_new = [&, before = said] { return (is_done = ask()) || said != before; };
-    goes_on = scene.target.Until(is_new, kLongestStandstill);
+  while (!is_done()) {
+    const auto is_new = [&, before = said] {
+      ask();
+      return said != before;
+    };
+    if (!scene.target.Until(is_new, kLongestStandstill))
+      return FailInput("what the stick brings is not installed, but the box says \"" + said + "\"");
   }
-  if (!is_done) return FailInput("what the stick brings is not installed, but the box says \"" + said + "\"");
   const double before = Rate(first, began), during = Rate(began, last);
   if (before <= 0 || during <= 0)
     return FailInput(fmt::format("the face's rate is not known: {:.2f} and {:.2f} frames/s", before, during));

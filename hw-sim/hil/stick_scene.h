@@ -15,6 +15,8 @@ inline constexpr std::uint8_t kOne = 0x1E, kTwo = 0x1F;  // Keys, HID page 7.
 inline constexpr const char* kSaid = "read /run/kaori-shows/lines";
 // The kernel waits before it asks a stick; so does udev.
 inline constexpr Duration kLongestReading = std::chrono::seconds(240);
+// A show, and a backup: at the lowest priority, beside a face that wants all.
+inline constexpr Duration kLongestInstalling = std::chrono::minutes(20);
 
 // A small screen, so that the face leaves the trial something of the processors. With a disk of its own what
 // is installed is kept over a start; without one the image's is used, and stays as it ships.
