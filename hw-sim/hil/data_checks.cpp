@@ -41,15 +41,19 @@ struct Ruin {
   bool keeps_settings;        // Whether what was kept is there again.
 };
 
-// The first two are mended by mounting alone, the third by e2fsck, the last by neither: it is made anew.
+constexpr std::size_t kAll = ~std::size_t{};  // To the partition's end.
+
+// The first two are mended by mounting alone, the third by e2fsck. Of the fourth e2fsck finds a copy of the superblock, and no more
+// than that: its folders are made anew. Nothing mends the last.
 constexpr std::array kRuins{
     Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, true, "is mounted by a copy", "",
          true},
     Ruin{"a superblock of zeroes", nullptr, kDataBlock_bytes, kDataBlock_bytes, false, "is mounted by a copy",
          "", true},
     Ruin{"a lost journal", "clri <8>", 0, 0, false, "cannot be mounted", "is mended", true},
-    Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, true, "cannot be mounted", "what was kept is lost",
-         false}};
+    Ruin{"noise over its beginning", nullptr, 0, std::size_t{48} << 20U, true, "cannot be mounted",
+         "is mended in part", false},
+    Ruin{"noise", nullptr, 0, kAll, true, "cannot be mounted", "is made anew", false}};
 
 // What is written stays, since the next start is to find it.
 Setup SetupOn(const std::string& disk) {
@@ -66,7 +70,9 @@ Result<std::string> RuinedDisk(Scene& scene, const Ruin& ruin) {
                            options.folder + "/debugfs.log");
         !ok)
       return tl::unexpected(ok.error());
-  std::string other(ruin.other_bytes, '\0');
+  const auto span = PartitionSpan(copy->file, "data");
+  if (!span) return tl::unexpected(span.error());
+  std::string other(std::min<std::size_t>(ruin.other_bytes, span->bytes - ruin.from_bytes), '\0');
   if (ruin.is_noise) std::ranges::generate(other, [&] { return static_cast<char>(scene.chance()); });
   std::fstream file(copy->file, std::ios::binary | std::ios::in | std::ios::out);
   file.seekp(static_cast<std::streamoff>(copy->start_bytes + ruin.from_bytes));
@@ -143,9 +149,9 @@ Result<void> Ruined(Scene& scene) {
   for (const Ruin& ruin : kRuins)
     if (auto ok = WantMended(scene, ruin); !ok) return ok;
   scene.finding.said =
-      "a superblock of noise or of zeroes: mounted by its copy; a lost journal: mended; noise: made anew, "
-      "both by "
-      "the service key";
+      "a superblock of noise or of zeroes: mounted by its copy; by the service key a lost journal: mended; "
+      "noise "
+      "over its beginning: mended in part, and said so; noise: made anew";
   return {};
 }
 

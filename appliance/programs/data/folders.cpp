@@ -28,9 +28,19 @@ Result<void> MakeFolders(const std::string& into, std::span<const Folder> folder
   std::filesystem::remove_all(into, failed);
   if (!failed) std::filesystem::create_directories(into, failed);
   if (failed) return Fail(std::errc::io_error, "make " + into + ": " + failed.message());
-  for (const Folder& folder : folders)
-    if (auto made = MakeFolder(into + "/" + folder.name, folder); !made) return made;
-  return {};
+  return MakeMissingFolders(into, folders).map([](int) {});
+}
+
+Result<int> MakeMissingFolders(const std::string& place, std::span<const Folder> folders) {
+  int count = 0;
+  for (const Folder& folder : folders) {
+    const std::string path = place + "/" + folder.name;
+    std::error_code none;
+    if (std::filesystem::is_directory(path, none)) continue;
+    if (auto made = MakeFolder(path, folder); !made) return tl::unexpected(made.error());
+    ++count;
+  }
+  return count;
 }
 
 }  // namespace kaori::data

@@ -28,4 +28,8 @@ inline constexpr std::array<Folder, 9> kFolders{
 // know.
 Result<void> MakeFolders(const std::string& into, std::span<const Folder> folders = kFolders);
 
+// Makes those of the folders that are not in `place`, which is there; the others are left as they are. How many were made.
+// Errors: as MakeFolders.
+Result<int> MakeMissingFolders(const std::string& place, std::span<const Folder> folders = kFolders);
+
 }  // namespace kaori::data

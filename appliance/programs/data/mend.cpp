@@ -1,7 +1,9 @@
 #include "appliance/programs/data/mend.h"
 
+#include <filesystem>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include <fmt/format.h>
@@ -54,6 +56,40 @@ Result<void> Mount(const Partition& partition) {
   return RunWell(partition, {kSystemctl, "start", partition.unit});
 }
 
+// What of the mounted file system is not as it was kept, as far as can be known: e2fsck cuts off names that lead nowhere without
+// a trace, and its status is the same where it has put a whole root in place of one that was gone.
+Mended WhatIsSaved(const Partition& partition) {
+  std::error_code none;
+  const std::filesystem::path nameless = std::filesystem::path(partition.place) / "lost+found";
+  const bool lost_names =
+      std::filesystem::is_directory(nameless, none) && !std::filesystem::is_empty(nameless, none);
+  const auto made = MakeMissingFolders(partition.place, partition.kept);
+  if (!made) LogWarning("{}", made.error().message());
+  if (made && *made > 0)
+    LogWarning("{} had lost {} folders; they are there again, empty", partition.device, *made);
+  return !lost_names && made == 0 ? Mended::kSaved : Mended::kInPart;
+}
+
+struct Words {
+  std::string_view english, japanese;
+};
+
+// Behind kOfPartition and kJapaneseOfPartition.
+Words WordsOf(Mended mended) {
+  switch (mended) {
+    case Mended::kSaved:
+      return {"was damaged and is mended: what could be saved is there again",
+              "を修復しました。救えた内容は残っています"};
+    case Mended::kInPart:
+      return {"was damaged and is mended in part: some of what was kept is lost",
+              "を修復しましたが、内容の一部は失われました"};
+    case Mended::kMadeAnew:
+      break;
+  }
+  return {"was beyond mending and is made anew: what was kept is lost",
+          "を作り直しました。前の内容は失われました"};
+}
+
 // As the image's builder makes it. -F: what is left of the old file system is no reason to ask.
 Result<void> MakeAnew(const Partition& partition) {
   return RunWell(partition, {kMake, "-q", "-F", "-t", "ext4", "-m", "0", "-L", "kaori-data", "-d",
@@ -72,7 +108,7 @@ Result<Mended> Mend(const Partition& partition) {
     if (auto made = MakeAnew(partition); !made) return tl::unexpected(made.error());
   }
   if (auto mounted = Mount(partition); !mounted) return tl::unexpected(mounted.error());
-  return *saved ? Mended::kWhole : Mended::kMadeAnew;
+  return *saved ? WhatIsSaved(partition) : Mended::kMadeAnew;
 }
 
 // Faults of other things stay, in their order.
@@ -81,13 +117,9 @@ std::string FaultsAfter(const std::string& faults, Mended mended) {
   std::istringstream lines(faults);
   for (std::string line; std::getline(lines, line);)
     if (!line.starts_with(kOfPartition) && !line.starts_with(kJapaneseOfPartition)) after += line + "\n";
-  const bool is_whole = mended == Mended::kWhole;
-  return fmt::format(
-      "{}{}{}\n{}{}\n", after, kOfPartition,
-      is_whole ? "was damaged and is mended: what is kept is there again"
-               : "was beyond mending and is made anew: what was kept is lost",
-      kJapaneseOfPartition,
-      is_whole ? "を修復しました。内容は残っています" : "を作り直しました。前の内容は失われました");
+  const Words words = WordsOf(mended);
+  return fmt::format("{}{}{}\n{}{}\n", after, kOfPartition, words.english, kJapaneseOfPartition,
+                     words.japanese);
 }
 
 }  // namespace kaori::data

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "appliance/programs/data/folders.h"
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 
@@ -14,7 +16,9 @@ namespace kaori::data {
 struct Partition {
   std::string device;   // "/dev/vda5".
   std::string folders;  // What a new file system has in it, with owners and modes (folders.h).
-  std::string unit = "var-lib-kaori.mount";  // systemd's, which mounts it for all programs.
+  std::span<const Folder> kept = kFolders;   // The same; each is there again once the partition is mended.
+  std::string unit = "var-lib-kaori.mount";  // systemd's, which mounts it for all programs,
+  std::string place = "/var/lib/kaori";      // here.
   // Between two checks of a file system that was not mended by the first.
   Duration pause = std::chrono::seconds(2);
   // Runs a program to its end and gives its exit status (drivers/base/run_program.h).
@@ -22,7 +26,8 @@ struct Partition {
 };
 
 enum class Mended {
-  kWhole,    // What was kept is there again, as far as e2fsck found it; the rest is in lost+found.
+  kSaved,  // e2fsck has saved all of it that it knows of: every folder is there, and nothing has lost its name.
+  kInPart,  // Folders were gone, and are there again, empty; or files have lost their names, and are in lost+found.
   kMadeAnew  // Nothing of it was to be saved.
 };
 

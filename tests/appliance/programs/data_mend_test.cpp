@@ -29,28 +29,46 @@ class DataPartition : public ::testing::Test {
  protected:
   DataPartition() : folder_(fs::path(::testing::TempDir()) / fmt::format("data-partition-{}", ::getpid())) {
     fs::remove_all(folder_);
-    fs::create_directories(folder_ / "kept/lips");
+    for (const char* folder : {"kept/lips", "kept/settings", "kept/own"})
+      fs::create_directories(folder_ / folder);
     std::ofstream(folder_ / "kept/lips/lips.settings") << "mouth.open = 0.7\n";
     std::ofstream(file()).flush();
     fs::resize_file(file(), 64 * kMiB);
-    EXPECT_EQ(Run({"/sbin/mke2fs", "-q", "-F", "-t", "ext4", "-d", (folder_ / "kept").string(), file()}), 0);
+    MakeFileSystem();
     EXPECT_TRUE(MakeFolders((folder_ / "empty").string(), kOfThisTest));
   }
   ~DataPartition() override { fs::remove_all(folder_); }
 
+  // With all that is kept.
+  void MakeFileSystem() const {
+    EXPECT_EQ(Run({"/sbin/mke2fs", "-q", "-F", "-t", "ext4", "-d", (folder_ / "kept").string(), file()}), 0);
+  }
   static int Run(const std::vector<std::string>& words) { return RunProgram(words).value_or(-1); }
   std::string file() const { return (folder_ / "data").string(); }
 
-  // In systemd's place stands e2fsck, which only looks: what is not clean is not mounted.
+  // In systemd's place stands e2fsck, which only looks: what is not clean is not mounted. What is mounted is a copy of all files.
   Partition AsPartition() {
     return {.device = file(),
             .folders = (folder_ / "empty").string(),
+            .kept = kOfThisTest,
+            .place = place().string(),
             .pause = {},
             .run = [this](const auto& words) -> Result<int> {
               asked_.push_back(words[0] + " " + words[1]);
               if (words[0] != "/bin/systemctl") return RunProgram(words);
-              return words[1] == "start" ? RunProgram({"/sbin/e2fsck", "-f", "-n", file()}) : Result<int>(0);
+              if (words[1] != "start") return 0;
+              auto status = RunProgram({"/sbin/e2fsck", "-f", "-n", file()});
+              CopyTo(place());
+              return status;
             }};
+  }
+  fs::path place() const { return folder_ / "place"; }
+
+  // All that the file system has.
+  void CopyTo(const fs::path& folder) const {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    Run({"/sbin/debugfs", "-R", fmt::format("rdump / {}", folder.string()), file()});
   }
 
   // Noise over a part of the file.
@@ -72,9 +90,7 @@ class DataPartition : public ::testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
   bool HasFolder(const std::string& name) const {
-    fs::remove_all(folder_ / "all");
-    fs::create_directories(folder_ / "all");
-    Run({"/sbin/debugfs", "-R", fmt::format("rdump / {}", (folder_ / "all").string()), file()});
+    CopyTo(folder_ / "all");
     return fs::is_directory(folder_ / "all" / name);
   }
 
@@ -86,13 +102,13 @@ class DataPartition : public ::testing::Test {
 
 TEST_F(DataPartition, KeepsWhatItHasWhereItsSuperblockAndGroupsAreZero) {
   Ruin(1024, 4096);
-  EXPECT_EQ(Mend(AsPartition()), Mended::kWhole);
+  EXPECT_EQ(Mend(AsPartition()), Mended::kSaved);
   EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n");
 }
 
 TEST_F(DataPartition, KeepsWhatItHasWhereItsJournalIsGone) {
   ASSERT_EQ(Run({"/sbin/debugfs", "-w", "-R", "clri <8>", file()}), 0);
-  EXPECT_EQ(Mend(AsPartition()), Mended::kWhole);
+  EXPECT_EQ(Mend(AsPartition()), Mended::kSaved);
   EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n");
 }
 
@@ -103,6 +119,23 @@ TEST_F(DataPartition, IsMadeAnewWhereNothingIsLeft) {
   EXPECT_TRUE(HasFolder("settings"));
   EXPECT_TRUE(HasFolder("own"));
   EXPECT_EQ(asked_.front(), "/sbin/e2fsck -f") << "what can be saved is saved first";
+}
+
+// e2fsck's status is that of a file system from which nothing is lost, in all of these.
+TEST_F(DataPartition, IsSaidToBeMendedInPartWhereSomeIsLost) {
+  for (const char* change : {"clri /own", "clri /settings", "unlink /lips"}) {
+    MakeFileSystem();
+    ASSERT_EQ(Run({"/sbin/debugfs", "-w", "-R", change, file()}), 0);
+    EXPECT_EQ(Mend(AsPartition()), Mended::kInPart) << change;
+    for (const Folder& folder : kOfThisTest) EXPECT_TRUE(fs::is_directory(place() / folder.name)) << change;
+  }
+}
+
+TEST_F(DataPartition, HasItsFoldersAgainWhereNoiseTookItsRoot) {
+  Ruin(0, 7 * kMiB);  // The first copy of the superblock lies behind it.
+  EXPECT_EQ(Mend(AsPartition()), Mended::kInPart);
+  EXPECT_TRUE(fs::is_directory(place() / "settings"));
+  EXPECT_TRUE(fs::is_directory(place() / "own"));
 }
 
 TEST_F(DataPartition, IsLeftAloneWhereTheCheckCameToNoEnd) {
@@ -127,7 +160,7 @@ TEST_F(DataPartition, IsCheckedAgainBeforeAnythingIsLost) {
     busy.run = [&, run = busy.run](const std::vector<std::string>& words) -> Result<int> {
       return words[0] == "/sbin/e2fsck" && ++checks < 3 ? status : run(words);
     };
-    EXPECT_EQ(Mend(busy), Mended::kWhole) << status;
+    EXPECT_EQ(Mend(busy), Mended::kSaved) << status;
     EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n") << status;
   }
 }
@@ -183,7 +216,8 @@ TEST(DataFaults, SayWhatBecameOfThePartition) {
       "box.toml:3: there is no profile \"stge\"\nthe data partition /dev/vda5 cannot be mounted: nothing is "
       "kept\nデータの領域に問題があります\n";
   for (const auto& [mended, said, japanese] :
-       {std::tuple{Mended::kWhole, "is mended", "データの領域を修復しました"},
+       {std::tuple{Mended::kSaved, "could be saved is there", "データの領域を修復しました。"},
+        std::tuple{Mended::kInPart, "in part", "一部は失われました"},
         std::tuple{Mended::kMadeAnew, "is lost", "前の内容は失われました"}}) {
     const std::string after = FaultsAfter(before, mended);
     EXPECT_THAT(after, HasSubstr("stge"));
