@@ -31,7 +31,7 @@ constexpr std::pair<const char*, const char*> kTraces[] = {
 constexpr const char* kInputUnit = "kaori-input.service";
 
 // In a control nothing is expected to come, so waiting long would only cost time.
-constexpr Duration kControlPatience = std::chrono::seconds(20);
+constexpr Duration kControlPatience = std::chrono::seconds(10);
 
 // A fade on a machine whose processor draws, and the frames after it.
 constexpr Duration kLongestLeaving = std::chrono::seconds(120);

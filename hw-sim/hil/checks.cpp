@@ -116,8 +116,8 @@ std::vector<Check> AllChecks() {
                      DialLineChecks(),   SamplingChecks(),      DisplayChecks(),     OutputChecks(),
                      LastFaceChecks(),   StormChecks(),         RecoveryChecks(),    PowerChecks(),
                      StickChecks(),      GivesWayChecks(),      BackupChecks(),      DeskChecks(),
-                     DataChecks(),       ResetChecks(),         DiskChecks(),        SecureBootChecks(),
-                     StartChecks(),      UpdateChecks(),        BadUpdateChecks(),   PowerCycleChecks(),
+                     DataChecks(),       ResetChecks(),         StartChecks(),       DiskChecks(),
+                     SecureBootChecks(), UpdateChecks(),        BadUpdateChecks(),   PowerCycleChecks(),
                      SpoiltFileChecks(), MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;

@@ -68,7 +68,7 @@ Result<void> EndBy(Scene& scene, int signal) {
   return {};
 }
 
-// What the kept symbols say of a frame: "kaori::EventLoop::Run()", the innermost function with one of our names. Of a caller the
+// What the kept symbols say of a frame: "kaori::EventLoop::Run()", the innermost function of our own sources. Of a caller the
 // address is that behind the call. Errors: invalid_argument, there are none of that build, or they do not know it.
 Result<std::string> FunctionOf(Scene& scene, const CrashFrame& frame) {
   if (frame.build_id.size() < 3) return FailInput("the report does not say of which build the program is");
@@ -81,9 +81,11 @@ Result<std::string> FunctionOf(Scene& scene, const CrashFrame& frame) {
   if (auto ok = RunToEnd({"addr2line", "-Cfie", symbols, fmt::format("{:#x}", call)}, log); !ok)
     return tl::unexpected(ok.error());
   const std::string said = ReadFile(log).value_or("");
+  // Pairs of lines: a function, and its place. What was compiled into another function comes before that one.
   std::istringstream lines(said);
-  for (std::string line; std::getline(lines, line);)
-    if (line.find("kaori::") != std::string::npos || line == "main") return line;
+  for (std::string name, place; std::getline(lines, name) && std::getline(lines, place);)
+    if (place.find("/appliance/") != std::string::npos || place.find("/drivers/") != std::string::npos)
+      return name;
   return FailInput("the symbols say nothing of " + frame.address + ", but \"" + said + "\"");
 }
 

@@ -23,18 +23,33 @@ constexpr const char* kStageEnded = "kaori-stage.service: Main process exited";
 
 // The machines of these checks. Screens are small, since the guest draws by its processor, which is emulated;
 // nothing is plugged in that a check does not need.
-const Setup kSilentScreen{
-    .plugged = false, .sound = false, .tells_size = false, .width_px = kWidth_px, .height_px = kHeight_px};
-const Setup kOddScreen{.plugged = false, .sound = false, .width_px = 72, .height_px = 900};
-const Setup kBusyMachine{.plugged = false, .sound = false, .width_px = kWidth_px, .height_px = kHeight_px};
+const Setup kSilentScreen{.plugged = false,
+                          .sound = false,
+                          .graphics = Graphics::kVirtio,
+                          .tells_size = false,
+                          .width_px = kWidth_px,
+                          .height_px = kHeight_px};
+const Setup kOddScreen{
+    .plugged = false, .sound = false, .graphics = Graphics::kVirtio, .width_px = 72, .height_px = 900};
+const Setup kBusyMachine{.plugged = false,
+                         .sound = false,
+                         .graphics = Graphics::kVirtio,
+                         .width_px = kWidth_px,
+                         .height_px = kHeight_px};
 const Setup kNoCard{.plugged = false, .sound = false, .agent = false, .graphics = Graphics::kNone};
 const Setup kLateScreen{.plugged = false,
                         .sound = false,
                         .agent = false,
+                        .graphics = Graphics::kVirtio,
                         .screens = 1,
                         .width_px = kWidth_px,
                         .height_px = kHeight_px};
-const Setup kHandover{.plugged = false, .sound = false, .agent = false, .width_px = 480, .height_px = 270};
+const Setup kHandover{.plugged = false,
+                      .sound = false,
+                      .agent = false,
+                      .graphics = Graphics::kVirtio,
+                      .width_px = 480,
+                      .height_px = 270};
 
 // Whatever the screen tells of itself, or does not: the box chooses a mode, and her face moves in it.
 Result<void> MovingFace(Scene& scene) {

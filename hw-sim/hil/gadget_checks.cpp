@@ -69,7 +69,7 @@ std::vector<Check> GadgetChecks() {
            false,
            Gadgets,
            // Another kernel: that of the bench, with dummy_hcd.
-           {.bench_kernel = true},
+           {.bench_kernel = true, .graphics = Graphics::kVirtio},
            "kaori-input.service"}};
 }
 

@@ -49,6 +49,7 @@ constexpr std::string_view kHelp =
   --chip FOLDER         the dial box's shipped image and the emulator of its chip (tests/firmware/chip.py)
   --size 480x270        of the screen
   --memory 512          of the machine, in MiB
+  --box-draws           the machine's processor draws in every check, and not the bench for it, as a graphics card would
 
 kaori-bench --boot: starts the image, with a window where there is a display
   --trace               prints where the time goes until the first face, and ends
@@ -68,7 +69,7 @@ struct Settings {
   std::string shot, command, disk, arch = "amd64";
   bool chosen = false, release = false, go_on = false, list = false, controls = false, boot = false,
        trace = false;
-  bool keep_disk = false;
+  bool keep_disk = false, box_draws = false;
 };
 
 constexpr int kNotTried = 2;  // The exit status where no check could be run at all.
@@ -112,8 +113,9 @@ std::string TrialOf(const Settings& settings, const std::string& root_hash) {
   for (const std::string file : {bench, bench.parent_path() / "kaori-hil-agent"})
     if (const auto bytes = kaori::ReadFile(file, {.most_bytes = std::size_t{1} << 30U}))
       sum = kaori::Fnv1a(*bytes, sum);
-  return fmt::format("image {}, bench {:016x}, {} scenes, {} replugs, seed {}{}", root_hash, sum,
-                     settings.scenes, settings.replugs, settings.seed, settings.controls ? ", controls" : "");
+  return fmt::format("image {}, bench {:016x}, {} scenes, {} replugs, seed {}{}{}", root_hash, sum,
+                     settings.scenes, settings.replugs, settings.seed, settings.controls ? ", controls" : "",
+                     settings.box_draws ? ", the box draws" : "");
 }
 
 // For sockets, whose paths have 108 bytes at most (unix(7)): the report's folder may lie too deep.
@@ -147,7 +149,8 @@ kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& f
       .width_px = size.width_px,
       .height_px = size.height_px,
       .memory_mib = std::max(64, std::atoi(settings.memory.c_str())),
-      .window = settings.boot && settings.shot.empty() && std::getenv("DISPLAY") != nullptr};
+      .window = settings.boot && settings.shot.empty() && std::getenv("DISPLAY") != nullptr,
+      .draws = !settings.boot && !settings.box_draws};
 }
 
 // Starts nothing: who runs the command decides when, and where it ends.
@@ -244,7 +247,9 @@ int main(int argc, char** argv) {
       .Text("--chip", settings.chip);
   options.Switch("--boot", settings.boot).Switch("--trace", settings.trace).Text("--shot", settings.shot);
   options.Text("--command", settings.command).Text("--disk", settings.disk);
-  options.Switch("--keep-disk", settings.keep_disk).Text("--arch", settings.arch);
+  options.Switch("--keep-disk", settings.keep_disk)
+      .Switch("--box-draws", settings.box_draws)
+      .Text("--arch", settings.arch);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.list) return List();
   const auto size = kaori::ParseSize(settings.size);

@@ -27,9 +27,15 @@ struct ScreenSize {
 constexpr std::array<ScreenSize, 2> kSizes{{{320, 240}, {400, 300}}};
 constexpr ScreenSize kStatusSize{640, 480};
 
-const Setup kTwoScreens{.plugged = false, .sound = false, .screens = 2, .width_px = 320, .height_px = 240};
+const Setup kTwoScreens{.plugged = false,
+                        .sound = false,
+                        .graphics = Graphics::kVirtio,
+                        .screens = 2,
+                        .width_px = 320,
+                        .height_px = 240};
 const Setup kStatusScreen{.plugged = false,
                           .sound = false,
+                          .graphics = Graphics::kVirtio,
                           .screens = 2,
                           .width_px = 320,
                           .height_px = 240,

@@ -171,7 +171,8 @@ Result<void> ShootScene(Scene& scene, HeldPlay& play, std::size_t beat, const Pl
   return scene.ShootFace(play.name(), beats[beat].name);
 }
 
-// Plays so many of its scenes, 0 all; gives the number of frames that were drawn meanwhile.
+// Plays so many of its scenes, 0 all; gives the number of frames that were drawn meanwhile. A mark at the very end is no scene:
+// the play's own stands behind the curtain.
 Result<std::uint32_t> PlayFile(Scene& scene, const std::string& file, int most, const PlayWants& wants) {
   auto scenario = sim::LoadScenario(file);
   if (!scenario) return tl::unexpected(scenario.error());
@@ -180,7 +181,9 @@ Result<std::uint32_t> PlayFile(Scene& scene, const std::string& file, int most, 
   // Its end comes after that of the play, which moves things until then.
   const RigComesBack comes_back(scene.target);
   HeldPlay play(std::move(*scenario), std::filesystem::path(file).stem(), scene.target);
-  const std::size_t all = play.scenario().beats.size();
+  const auto& beats = play.scenario().beats;
+  const bool has_end_mark = !beats.empty() && beats.back().at == play.scenario().length;
+  const std::size_t all = beats.size() - (has_end_mark ? 1 : 0);
   const std::size_t scenes = most > 0 ? std::min(all, static_cast<std::size_t>(most)) : all;
   for (std::size_t n = 0; n < scenes; ++n)
     if (auto ok = ShootScene(scene, play, n, wants); !ok) return tl::unexpected(ok.error());

@@ -16,13 +16,17 @@ constexpr Duration kPlaysOn = seconds(15);  // Longer than a stop of this machin
 constexpr int kServiceKey = 2;              // A line of the bridge, as docs/image.md wires it.
 const Setup kPowered{.sound = false, .width_px = 480, .height_px = 270};
 
-// Errors: invalid_argument, the machine has ended, or says nothing of the button.
+// The program that hears the button starts behind the face: a press before is nobody's, and the next one is said. Errors:
+// invalid_argument, the machine has ended, or says nothing of the button.
 Result<void> WantIgnored(Scene& scene) {
-  if (auto ok = scene.target.machine().PressPower(); !ok) return ok;
+  constexpr int kMostPresses = 4;
   const auto ended = [&] { return !scene.target.machine().runs(); };
-  if (scene.target.Until(ended, kPlaysOn)) return FailInput("the power button ends a show");
-  const auto notice = scene.target.agent().Ask("read /run/kaori-notices/power", kPowerAnswer);
-  if (notice && notice->find("turn the service key on") != std::string::npos) return {};
+  for (int presses = 0; presses < kMostPresses; ++presses) {
+    if (auto ok = scene.target.machine().PressPower(); !ok) return ok;
+    if (scene.target.Until(ended, kPlaysOn)) return FailInput("the power button ends a show");
+    const auto notice = scene.target.agent().Ask("read /run/kaori-notices/power", kPowerAnswer);
+    if (notice && notice->find("turn the service key on") != std::string::npos) return {};
+  }
   return FailInput("the box does not say that the power button was pressed");
 }
 

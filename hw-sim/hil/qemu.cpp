@@ -51,7 +51,7 @@ Result<void> QemuDriver::On() {
   if (setup_.bench_kernel && options_.bench_kernel.empty())
     return Fail(std::errc::not_supported, "start a kernel of the bench (none was named)");
   // Pictures that the bench draws for the machine need a screen of X, which must be there before QEMU.
-  if (setup_.graphics == Graphics::kVirgl) {
+  if (GraphicsOf(options_, setup_) == Graphics::kVirgl) {
     auto window =
         XScreen::Open({options_.folder, WidthOf(options_, setup_), HeightOf(options_, setup_)}, waiter_);
     if (!window) return tl::unexpected(window.error());
@@ -120,10 +120,11 @@ void QemuDriver::Off() {
 // The picture is that of the moment; QEMU writes the file before it answers.
 Result<void> QemuDriver::Shoot(int head, const std::string& file) {
   if (!qmp_) return Fail(std::errc::no_such_device, "take a picture of the screen");
-  // QEMU does not know what was drawn on the bench: the picture is read from X.
-  if (window_) return window_->Shoot(file);
-  return qmp_->Do("screendump",
-                  {{"filename", file}, {"format", "png"}, {"device", "screens"}, {"head", head}});
+  const auto dumped =
+      qmp_->Do("screendump", {{"filename", file}, {"format", "png"}, {"device", "screens"}, {"head", head}});
+  // QEMU has no picture of what was drawn on the bench, which is read from X. It has one of a screen that is off, on which its window
+  // may show what was there before.
+  return window_ && !dumped ? window_->Shoot(file) : dumped;
 }
 
 // A size tells the guest of a screen: QEMU makes an EDID of it and reports a change of the connector.

@@ -41,18 +41,19 @@ void Add(std::vector<std::string>& command, std::initializer_list<std::string> w
 void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
   const std::string size =
       fmt::format("id=screens,xres={},yres={}", WidthOf(options, setup), HeightOf(options, setup));
-  if (setup.graphics == Graphics::kVirgl)
+  const Graphics graphics = GraphicsOf(options, setup);
+  if (graphics == Graphics::kVirgl)
     // A window as large as the screen of the machine: XScreen finds the picture in it.
     return Add(command, {"-display", "sdl,gl=on", "-device", "virtio-gpu-gl-pci," + size});
   Add(command, {"-display", options.window ? "gtk" : "none"});
-  if (setup.graphics == Graphics::kVirtio)
+  if (graphics == Graphics::kVirtio)
     Add(command, {"-device", fmt::format("virtio-gpu-pci,{},max_outputs={}{}", size,
                                          std::max(1, setup.screens), setup.tells_size ? "" : ",edid=off")});
   for (int head = 0; head < setup.screens; ++head)
     Add(command, {"-vnc", fmt::format("unix:{},id=vnc{},display=screens,head={}", ScreenPath(options, head),
                                       head, head)});
   // A machine without graphics gets none of these devices.
-  if (setup.graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
+  if (graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
 }
 
 // A file as QEMU opens it for a drive: with a log each write goes there too, once it is done.
@@ -176,6 +177,11 @@ void AddSound(const QemuOptions& options, const Setup& setup, std::vector<std::s
 }
 
 }  // namespace
+
+Graphics GraphicsOf(const QemuOptions& options, const Setup& setup) {
+  if (setup.graphics != Graphics::kUsual) return setup.graphics;
+  return options.draws ? Graphics::kVirgl : Graphics::kVirtio;
+}
 
 int WidthOf(const QemuOptions& options, const Setup& setup) {
   return setup.width_px > 0 ? setup.width_px : options.width_px;

@@ -38,7 +38,12 @@ struct QemuOptions {
   int log_level = 6;
   // The screen is shown in a window; otherwise nowhere.
   bool window = false;
+  // The bench draws for the machine, as a graphics card would (Graphics::kVirgl), where the setup does not say who draws.
+  bool draws = false;
 };
+
+// Who draws for a machine: never kUsual. Pure.
+Graphics GraphicsOf(const QemuOptions& options, const Setup& setup);
 
 // The kernel's command line, of an image's folder. Errors: those of ReadFile.
 Result<std::string> ReadCommandLine(const std::string& image);

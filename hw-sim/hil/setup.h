@@ -5,10 +5,10 @@
 
 namespace kaori::hil {
 
-// The graphics card of the machine. kVirtio: pictures are drawn by the box's processor. kVirgl: a virtio card
-// whose GLES is drawn on the bench, in a window under Xvfb. kVga: as a PC's firmware finds it. kNone: no
-// card.
-enum class Graphics { kVirtio, kVirgl, kVga, kNone };
+// The graphics card of the machine. kVirtio: pictures are drawn by the box's processor, which is emulated, and has no time left for
+// anything else. kVirgl: a virtio card whose GLES is drawn on the bench, in a window under Xvfb. kUsual: the one of these two
+// that QemuOptions name. kVga: as a PC's firmware finds it. kNone: no card.
+enum class Graphics { kUsual, kVirtio, kVirgl, kVga, kNone };
 
 // Where the image's disk is attached: each bus has a driver of its own in the
 // kernel, and another name for the disk. kUsb: without firmware the kernel is told
@@ -43,7 +43,7 @@ struct Setup {
   // would leave the other next to nothing.
   bool counts_instructions = false;
   // Without a card the machine is for those who want its log.
-  Graphics graphics = Graphics::kVirtio;
+  Graphics graphics = Graphics::kUsual;
   DiskBus disk_bus = DiskBus::kVirtio;
   // A USB stick with nothing on it is plugged in before power comes.
   bool other_stick = false;

@@ -268,7 +268,7 @@ std::vector<Check> LoopChecks() {
   return {{.name = "voice",
            .sentence = "A voice moves the mouth, and comes from the loudspeaker",
            .run = Voice,
-           .setup = {.bench_kernel = true},
+           .setup = {.bench_kernel = true, .graphics = Graphics::kVirtio},
            .control = SilenceIsNotFollowed,
            .ends_programs = true}};
 }

@@ -18,7 +18,7 @@ constexpr int kRounds = 3;
 constexpr double kMostFirstLight = 0.15;
 constexpr double kMostFirstFace = 0.35;
 
-const Setup kOurs{.plugged = false, .sound = false, .agent = false};
+const Setup kOurs{.plugged = false, .sound = false, .agent = false, .graphics = Graphics::kVirtio};
 
 // Of an odd number of values, as kRounds is.
 double Median(std::vector<double> values) {

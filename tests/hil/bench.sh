@@ -166,7 +166,7 @@ test_arm64_on_the_bench() {
   rm -f out/boot-arm64.json
   say "running checks on the image for arm64 in a virtual machine"
   $BIN/kaori-bench --arch arm64 --image out/image-arm64 --bench-disk $disk --report out/bench-arm64 --figures out/boot-arm64.json \
-    --play "$PLAY" --only $ARM64_CHECKS --replugs 24 --scenes 2 || fail "the box failed on the bench; the report is out/bench-arm64/report.html"
+    --play "$PLAY" --box-draws --only $ARM64_CHECKS --replugs 24 --scenes 2 || fail "the box failed on the bench; the report is out/bench-arm64/report.html"
 }
 
 # --chosen: what runs each time. --release: cuts of the power as often as a release wants them, for hours.
@@ -182,8 +182,8 @@ test_on_the_bench() {
     release=(--release)
     shift
   fi
-  need "${MACHINE_PACKAGES[@]}"
-  [ $# -gt 0 ] || need "${WINDOW_PACKAGES[@]}" "${LONG_PACKAGES[@]}"
+  need "${MACHINE_PACKAGES[@]}" "${WINDOW_PACKAGES[@]}"
+  [ $# -gt 0 ] || need "${LONG_PACKAGES[@]}"
   image
   build release kaori-atelier kaori-bench kaori-hil-agent kaori-gadget kaori-lips kaori-camera-libcamera kaori-input-latency test-desk test-update
   if [ $# -gt 0 ]; then
