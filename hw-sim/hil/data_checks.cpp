@@ -150,8 +150,7 @@ Result<void> Ruined(Scene& scene) {
     if (auto ok = WantMended(scene, ruin); !ok) return ok;
   scene.finding.said =
       "a superblock of noise or of zeroes: mounted by its copy; by the service key a lost journal: mended; "
-      "noise "
-      "over its beginning: mended in part, and said so; noise: made anew";
+      "noise over its beginning: mended in part, and said so; noise: made anew";
   return {};
 }
 
