@@ -22,11 +22,11 @@ install(DIRECTORY ${overlay}/udev/rules.d DESTINATION ${KAORI_UDEV_DIR})
 file(GLOB units CONFIGURE_DEPENDS ${overlay}/systemd/system/kaori*.service ${overlay}/systemd/system/kaori*.socket
      ${overlay}/systemd/system/kaori*.path
      ${overlay}/systemd/system/kaori.target)
-list(FILTER units EXCLUDE REGEX "kaori-(update|confirm|other|reset)\\.")  # They want the slots of rootfs/image's disk.
+list(FILTER units EXCLUDE REGEX "kaori-(update|confirm|other|trial|reset)\\.")  # They want the slots of rootfs/image's disk.
 list(FILTER units EXCLUDE REGEX "kaori-desk\\.")  # It waits for the address that kaori-boot gives a box.
 install(FILES ${units} DESTINATION ${KAORI_UNIT_DIR})
 install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori-shows.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR}
-        PATTERN mend-data.service EXCLUDE PATTERN kaori-desk.path EXCLUDE PATTERN kaori-update.socket EXCLUDE PATTERN kaori-confirm.service EXCLUDE PATTERN kaori-other.path EXCLUDE PATTERN kaori-other.timer EXCLUDE PATTERN kaori-reset.service EXCLUDE)
+        PATTERN mend-data.service EXCLUDE PATTERN kaori-desk.path EXCLUDE PATTERN kaori-update.socket EXCLUDE PATTERN kaori-confirm.service EXCLUDE PATTERN kaori-other.path EXCLUDE PATTERN kaori-other.timer EXCLUDE PATTERN kaori-trial.timer EXCLUDE PATTERN kaori-reset.service EXCLUDE)
 
 # Which target starts is for the system to say (systemctl set-default kaori.target): its default.target is the file of systemd's package.
 if(KAORI_BOX_SYSTEM)

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/whole_file.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/journal_usage.h"
@@ -32,7 +33,7 @@ constexpr const char* kKeptSettings = "read /var/lib/kaori/settings/box.toml";
 // A way in which a partition is ruined, what the box says of it, and what the key makes of it.
 struct Ruin {
   const char* name;
-  const char* debugfs;        // A change by debugfs; null: none.
+  const char* debugfs;        // Changes by debugfs, a line each; null: none.
   std::size_t from_bytes;     // Other bytes from here on,
   std::size_t other_bytes;    // so many of them,
   bool is_noise;              // noise, or zeroes.
@@ -43,14 +44,19 @@ struct Ruin {
 
 constexpr std::size_t kAll = ~std::size_t{};  // To the partition's end.
 
-// The first two are mended by mounting alone, the third by e2fsck. Of the fourth e2fsck finds a copy of the superblock, and no more
-// than that: its folders are made anew. Nothing mends the last.
+// The first two are mended by mounting alone, the third by e2fsck. The fourth is as the kernel leaves one in which it has met an error,
+// and is mended at the next start; the fifth too, but e2fsck removes a folder of it only when it is told to. Of the sixth e2fsck finds a copy of the
+// superblock, and no more than that: its folders are made anew. Nothing mends the last.
 constexpr std::array kRuins{
     Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, true, "is mounted by a copy", "",
          true},
     Ruin{"a superblock of zeroes", nullptr, kDataBlock_bytes, kDataBlock_bytes, false, "is mounted by a copy",
          "", true},
-    Ruin{"a lost journal", "clri <8>", 0, 0, false, "cannot be mounted", "is mended", true},
+    Ruin{"a lost journal", "clri <8>\n", 0, 0, false, "cannot be mounted", "is mended", true},
+    Ruin{"errors that were met", "ssv error_count 3\nssv state 2\n", 0, 0, false, "had errors and is mended", "",
+         true},
+    Ruin{"errors that cost a folder", "sif lips block[0] 0\nssv error_count 3\nssv state 2\n", 0, 0, false,
+         "has errors that want a person's word", "is mended in part", true},
     Ruin{"noise over its beginning", nullptr, 0, std::size_t{48} << 20U, true, "cannot be mounted",
          "is mended in part", false},
     Ruin{"noise", nullptr, 0, kAll, true, "cannot be mounted", "is made anew", false}};
@@ -65,11 +71,13 @@ Result<std::string> RuinedDisk(Scene& scene, const Ruin& ruin) {
   const QemuOptions& options = scene.target.machine().options();
   const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "ruined.disk", "data");
   if (!copy) return tl::unexpected(copy.error());
-  if (ruin.debugfs != nullptr)
-    if (auto ok = RunToEnd({"debugfs", "-w", "-R", ruin.debugfs, NameInDebugfs(*copy)},
-                           options.folder + "/debugfs.log");
-        !ok)
-      return tl::unexpected(ok.error());
+  if (ruin.debugfs != nullptr) {
+    const std::string changes = options.folder + "/ruin.debugfs";
+    auto ok = WriteWholeFile(changes, {AsBytes(ruin.debugfs)});
+    if (ok)
+      ok = RunToEnd({"debugfs", "-w", "-f", changes, NameInDebugfs(*copy)}, options.folder + "/debugfs.log");
+    if (!ok) return tl::unexpected(ok.error());
+  }
   const auto span = PartitionSpan(copy->file, "data");
   if (!span) return tl::unexpected(span.error());
   std::string other(std::min<std::size_t>(ruin.other_bytes, span->bytes - ruin.from_bytes), '\0');

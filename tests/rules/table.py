@@ -42,7 +42,7 @@ MAY_INCLUDE = (
     ("appliance/core/linecheck/", _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
     ("appliance/core/showlog/", _BASE + _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
     ("appliance/core/report/", _BASE + _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/", "appliance/core/showlog/")),
-    ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/", "appliance/core/restore/", "appliance/core/store/")),
+    ("appliance/programs/boot/", _PORTS + ("appliance/core/last_face/", "appliance/core/restore/", "appliance/core/store/", "appliance/core/update/")),
     ("appliance/programs/data/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
     ("appliance/programs/power/", _BASE + ("appliance/core/board/",)),

@@ -154,12 +154,23 @@ class Waiting(unittest.TestCase):
         self.assertTrue((UNITS / "kaori.target.wants/kaori-other.timer").exists())
         self.assertEqual(value(unit, "ExecCondition"), value(unit, "ExecStart").replace("-/usr/bin/kaori-update", "/usr/bin/kaori-update --look"))
 
+    def test_a_trial_without_a_verdict_ends_by_nothing_of_the_version_that_is_tried(self):
+        timer, unit, confirm = ((UNITS / name).read_text() for name in ("kaori-trial.timer", "kaori-trial.service", "kaori-confirm.service"))
+        self.assertTrue((UNITS / "kaori.target.wants/kaori-trial.timer").exists())
+        self.assertEqual(value(unit, "ExecStart"), "/bin/systemctl reboot --force")
+        self.assertEqual(value(timer, "ConditionPathExists"), "/run/kaori-profile/trial")
+        self.assertIn("ConditionPathExists=!/run/kaori-update/settled", unit)
+        self.assertIn('Mark(places, "settled")', (ROOT / "appliance/programs/update/confirm.cpp").read_text())
+        # A look takes three minutes, and what it does before and after them.
+        self.assertGreaterEqual(seconds(value(timer, "OnActiveSec")), 6 * 60)
+        self.assertEqual(value(confirm, "RuntimeDirectory"), "kaori-update")
+
     def test_what_is_kept_lies_beside_the_root_whatever_a_stick_calls_its_own(self):
         link = value((UNITS / "var-lib-kaori.mount").read_text(), "What")
         rules = (ROOTFS / "overlay/usr/lib/udev/rules.d/70-kaori.rules").read_text()
         made = re.search(r'^SUBSYSTEM=="block", TEST=="/run/kaori-profile/data-%k", SYMLINK\+="(.+)"$', rules, re.M)
         self.assertEqual(link, "/dev/" + made[1])
-        self.assertIn('WriteSetting("data-" + g_data', (ROOT / "appliance/programs/boot/main.cpp").read_text())
+        self.assertIn('WriteSetting("data-" + data.name', (ROOT / "appliance/programs/boot/main.cpp").read_text())
 
     def test_a_path_unit_does_not_start_what_fails_without_end(self):
         for path in UNITS.glob("*.path"):

@@ -16,6 +16,7 @@ namespace kaori::test {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -30,7 +31,8 @@ class TriedVersion : public ::testing::Test {
     std::vector<std::uint8_t> boot(tests::FatFixture::kBytes);
     const tests::FatFixture fat(boot);
     Write("disk/boot", {boot.begin(), boot.end()});
-    Write("systemctl", "#!/bin/sh\necho \"$@\" >> " + programs_.File("asked") + "\n");
+    Write("systemctl", "#!/bin/sh\necho \"$@\" >> " + programs_.File("asked") + "\n[ ! -e " +
+                           programs_.File("refuses") + " ]\n");
     fs::permissions(programs_.File("systemctl"), fs::perms::owner_all);
   }
   void Write(const std::string& name, const std::string& text) {
@@ -70,6 +72,47 @@ TEST_F(TriedVersion, GivesWayWithoutAWordWhereThatHungTooAndTouchesNoDisk) {
   fs::remove_all(programs_.File("disk"));
   EXPECT_EQ(programs_.RunToEnd("kaori-update", Words()), 0);
   EXPECT_EQ(Read("asked"), "reboot --force\n");
+}
+
+TEST_F(TriedVersion, WhoseRestartIsRefusedAsksAgainAndThenForOneAtOnce) {
+  StartLook();
+  programs_.Kill("kaori-update");
+  Write("refuses", "");
+  EXPECT_NE(programs_.RunToEnd("kaori-update", Words()), 0) << "so that the service manager starts it again";
+  EXPECT_NE(programs_.RunToEnd("kaori-update", Words()), 0);
+  EXPECT_THAT(Read("asked"), EndsWith("reboot\nreboot --force\n"));
+}
+
+TEST_F(TriedVersion, WhoseLoaderCannotBeReadComesToAnEndAllTheSame) {
+  fs::remove_all(programs_.File("disk"));
+  EXPECT_NE(programs_.RunToEnd("kaori-update", Words()), 0);
+  EXPECT_NE(programs_.RunToEnd("kaori-update", Words()), 0);
+  EXPECT_FALSE(AsksForARestart());
+  EXPECT_EQ(programs_.RunToEnd("kaori-update", Words()), 0);
+  EXPECT_EQ(Read("asked"), "reboot --force\n");
+}
+
+TEST_F(TriedVersion, OfWhichTheRootDoesNotSayItsNumberIsLookedAt) {
+  fs::remove(programs_.File("version"));
+  StartLook();
+  EXPECT_THAT(Read("notes/last-try"), HasSubstr("it started"));
+}
+
+TEST_F(TriedVersion, ThatIsNoTrialIsNotRestartedWhereTheLoaderCannotBeRead) {
+  Write("slot", "A");
+  fs::remove_all(programs_.File("disk"));
+  for (int start = 0; start < 4; ++start) EXPECT_NE(programs_.RunToEnd("kaori-update", Words()), 0);
+  EXPECT_FALSE(AsksForARestart());
+}
+
+TEST_F(TriedVersion, IsSettledOnlyWithItsVerdict) {
+  StartLook();
+  EXPECT_FALSE(fs::exists(programs_.File("settled"))) << "kaori-trial.timer may still have to end it";
+  programs_.Kill("kaori-update");
+  fs::remove(programs_.File("looking"));
+  Write("slot", "A");
+  EXPECT_EQ(programs_.RunToEnd("kaori-update", Words()), 0);
+  EXPECT_TRUE(fs::exists(programs_.File("settled"))) << "this start is no trial";
 }
 
 TEST_F(TriedVersion, ThatIsLookedAtForTheFirstTimeDoesNotGiveWayAtOnce) {

@@ -38,6 +38,8 @@ constexpr std::array<Row, kMessageCount> kTable{{
      "スティックが抜けたか、読めません。もう一度入れてください"},
     {"the box's own disk cannot be written; show this to whoever looks after the box",
      "箱のディスクに書けません。担当者に知らせてください"},
+    {"the box has no room left for a note of it; remove a show or a backup, and take it again",
+     "記録する空きがありません。公演か控えを消して、もう一度入れてください"},
     {"the box's disk is of an earlier layout; it has to be written anew once",
      "ディスクの形式が古いです。一度ディスクを書き直してください"},
     {"the running system is still being tried; wait a minute",

@@ -44,6 +44,8 @@ enum class Message : std::uint8_t {
   kPulled,
   // The box's own disk cannot be written, or does not hold what was written.
   kDiskFault,
+  // The data partition has no room for a note of it.
+  kDataFull,
   // The disk is not laid out as an image lays it out.
   kOtherLayout,
   // The running system is itself being tried.
@@ -57,7 +59,7 @@ enum class Message : std::uint8_t {
   // It was tried and gave way.
   kGaveWay,
 };
-inline constexpr std::size_t kMessageCount = 24;
+inline constexpr std::size_t kMessageCount = 25;
 
 enum class Language : std::uint8_t { kEnglish, kJapanese };
 

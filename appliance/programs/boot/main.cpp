@@ -12,15 +12,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
 
 #include "appliance/core/last_face/last_face.h"
 #include "appliance/core/restore/apply.h"
 #include "appliance/core/store/choice.h"
+#include "appliance/core/update/pending.h"
 #include "appliance/programs/boot/ahead.h"
 #include "appliance/programs/boot/card.h"
+#include "appliance/programs/boot/data_partition.h"
 #include "appliance/programs/boot/known_shaders.h"
 #include "appliance/programs/boot/machine_id.h"
 #include "appliance/programs/boot/network.h"
@@ -119,40 +120,12 @@ using kaori::boot::Report, kaori::boot::Trouble;
 // Nothing that is kept may bring devices, rights or programs with it.
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
 
-// The data partition's name ("vda5"), by which udev makes the link that systemd mounts: another disk may have a partition of
-// the same number. Empty where there is none.
-std::string g_data;
-// Whether it cannot be mounted, for kaori-data.
-bool g_data_is_ruined = false;
-
-// ext4 keeps copies of its superblock. These are where it and its first copy lie, with blocks of 1 KiB and of
-// 4 KiB (ext4(5), sb=, in KiB).
-constexpr std::array<const char*, 3> kSuperblocks{"", "sb=8193", "sb=131072"};
-
-// Mounts what a show keeps, and says whether it is there. Where this fails systemd tries once more, and the
-// show plays without. /proc and /sys come first: the partition is looked for in the latter. systemd finds
-// both mounted.
-bool MountData() {
+// Mounts what a show keeps, below /proc and /sys, which come first: the partition is looked for in the latter. systemd finds both
+// mounted.
+kaori::boot::DataPartition MountData() {
   ::mount("proc", "/proc", "proc", kPlainMount, nullptr);
   ::mount("sysfs", "/sys", "sysfs", kPlainMount, nullptr);
-  const auto partition = kaori::PartitionBesideRoot("/sys/class/block", "data");
-  if (!partition)
-    return Report("there is no data partition beside the root: nothing is kept", Trouble::kData), false;
-  g_data = *partition;
-  const std::string device = "/dev/" + g_data;
-  const auto mounts = [&](const char* options) {
-    return ::mount(device.c_str(), kData, "ext4", kPlainMount, options) == 0;
-  };
-  const auto* const by = std::ranges::find_if(kSuperblocks, mounts);
-  if (by == kSuperblocks.begin()) return true;
-  if (by != kSuperblocks.end())
-    return Report("the data partition " + device + " has lost its first superblock and is mounted by a copy",
-                  Trouble::kData),
-           true;
-  Report("the data partition " + device + " cannot be mounted: nothing is kept until the service key is on",
-         Trouble::kData);
-  g_data_is_ruined = true;
-  return false;
+  return kaori::boot::MountDataPartition(kData, kPlainMount);
 }
 
 // Before anybody reads what it changes. One that cannot be finished is tried again at each start.
@@ -192,7 +165,7 @@ void JoinNetwork(const kaori::boot::NetworkAddress& address) {
 // Leaves in a folder that is there before everything else: for udev's rules a file that is named after the
 // profile, for kaori-input which lines are what, for kaori-stage its time zone and which screens are
 // the technicians' and the operators', and what the status says. Returns the name that the settings give the box, or nothing.
-std::string ApplySettings() {
+std::string ApplySettings(const kaori::boot::DataPartition& data) {
   auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Report(profile.fault, Trouble::kSettings);
   if (const auto fault = DropUnknownZone(profile, kZones); !fault.empty()) Report(fault, Trouble::kSettings);
@@ -206,15 +179,21 @@ std::string ApplySettings() {
   WriteSetting("monitor_screen", profile.monitor_screen);
   const std::string command_line = kaori::ReadFile("/proc/cmdline").value_or("");
   WriteSetting("root_hash", kaori::boot::RootHashOf(command_line));
-  WriteSetting("slot", kaori::boot::SlotOf(command_line));
+  const std::string slot = kaori::boot::SlotOf(command_line);
+  WriteSetting("slot", slot);
+  // Whether this start is a try of an update, for a timer that ends one which comes to no verdict.
+  if (kaori::boot::IsTried(kaori::ReadFile(kaori::update::kPendingFile).value_or(""), slot))
+    WriteSetting("trial", {});
   // From it systemd takes the argument of a restart (systemctl(1)); kaori-update may write it, and no other file there.
   ::mkdir("/run/systemd", 0755);
   if (auto made = kaori::WriteWholeFile("/run/systemd/reboot-param", {}); !made)
     Report(made.error().message());
   if (profile.network) JoinNetwork(*profile.network);
   WriteSetting("faults", kaori::boot::Reported());
-  if (!g_data.empty()) WriteSetting("data-" + g_data, {});
-  if (g_data_is_ruined) WriteSetting("data_ruined", "/dev/" + g_data);
+  // By it udev makes the link that systemd mounts: another disk may have a partition of the same number.
+  if (!data.name.empty()) WriteSetting("data-" + data.name, {});
+  if (data.has_errors) WriteSetting("data_errors", {});
+  if (data.is_ruined) WriteSetting("data_ruined", "/dev/" + data.name);
   return profile.box_name;
 }
 
@@ -260,15 +239,15 @@ void Boot() {
   }
   mounted->read_end.reset();
   done->write_end.reset();
-  const bool keeps = MountData();
-  if (const auto said = keeps ? kaori::boot::Reset(kData) : ""; !said.empty()) Report(said);
-  if (keeps) Restore();
+  const auto data = MountData();
+  if (const auto said = data.is_mounted ? kaori::boot::Reset(kData) : ""; !said.empty()) Report(said);
+  if (data.is_mounted) Restore();
   mounted->write_end.reset();
   kaori::boot::GiveCards(kCards, kVideo, kRender);
   for (const auto& [line, trouble] : kaori::boot::PcFaults(kStill, kData)) Report(line, trouble);
-  const std::string wanted_name = ApplySettings();
+  const std::string wanted_name = ApplySettings(data);
   KeepMedium();
-  if (keeps) ApplyIdentity(wanted_name);
+  if (data.is_mounted) ApplyIdentity(wanted_name);
   if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder))
     Report("Mesa cannot be told which shaders it has");
   if (child > 0) kaori::boot::AwaitClose(done->read_end, kLongestSplash_ms);

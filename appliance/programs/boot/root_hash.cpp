@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "appliance/core/update/pending.h"
+
 namespace kaori::boot {
 namespace {
 
@@ -29,6 +31,11 @@ std::string RootHashOf(std::string_view command_line) {
   const auto hash = command_line.substr(digest + kDigest.size(), kDigits);
   if (hash.size() != kDigits || !std::ranges::all_of(hash, IsDigit)) return {};
   return std::string(hash);
+}
+
+bool IsTried(std::string_view note, std::string_view slot) {
+  const auto pending = update::ParsePending(note);
+  return pending && slot == (pending->slot == ports::Slot::kA ? "A" : "B");
 }
 
 std::string SlotOf(std::string_view command_line) {

@@ -150,6 +150,9 @@ Result<void> MendWhatIsNamedIn(const Settings& settings, const std::string& file
   }
   kaori::Log("the service key is on: {} is mended", *device);
   if (auto made = kaori::data::MakeFolders(kFolders); !made) return made;
+  // By it systemd's mount unit knew that it must not mount what has errors.
+  std::error_code none;
+  std::filesystem::remove(settings.folder + "/data_errors", none);
   kaori::ExpectLongCall(kLongestMending);
   const auto mended = kaori::data::Mend({.device = *device, .folders = kFolders, .run = kaori::RunProgram});
   if (!mended) return tl::unexpected(mended.error());

@@ -126,6 +126,11 @@ void Installation::RefuseDisk(const Error& error) {
   Refuse(Message::kDiskFault, error.message());
 }
 
+void Installation::RefuseNote(const Error& error) {
+  if (error.cause == std::errc::no_space_on_device) return Refuse(Message::kDataFull);
+  RefuseDisk(error);
+}
+
 void Installation::CountDone(std::uint64_t bytes) {
   done_bytes_ += bytes;
   progress_.done = static_cast<float>(static_cast<double>(done_bytes_) / static_cast<double>(all_bytes_));
@@ -166,9 +171,11 @@ void Installation::ReadPiece() {
   stage_ = Stage::kBegin;
 }
 
-// What waited in that slot before is lost with the first write, and must not be tried.
+// What waited in that slot before is lost with the first write, and must not be tried. Room for the note at the end is taken first: half an
+// hour of writing is not to end in a full partition.
 void Installation::Begin() {
-  if (auto ok = notes_.ForgetPending(); !ok) return RefuseDisk(ok.error());
+  if (auto ok = notes_.ForgetPending(); !ok) return RefuseNote(ok.error());
+  if (auto ok = notes_.Reserve(); !ok) return RefuseNote(ok.error());
   progress_.message = Message::kWriting;
   BeginPart();
 }
@@ -262,7 +269,7 @@ void Installation::ReadPieceBack() {
 
 void Installation::Note() {
   if (auto ok = notes_.KeepPending({manifest_.version, ports::Other(running_.slot), 0}); !ok)
-    return RefuseDisk(ok.error());
+    return RefuseNote(ok.error());
   progress_.message = Message::kWaits;
   stage_ = Stage::kEnded;
 }

@@ -121,6 +121,8 @@ class Installation {
   // Ends it. Where a part of the other slot was written, nothing says that an update waits there.
   void Refuse(Message message, std::string detail = {});
   void RefuseDisk(const Error& error);
+  // A note could not be kept.
+  void RefuseNote(const Error& error);
   void CountDone(std::uint64_t bytes);
   const Area& area() const { return areas_[area_]; }
   const PackedPart& part() const { return manifest_.part(area().part); }

@@ -30,6 +30,11 @@ void BeginLook(const std::filesystem::path& file) {
   Note(file, 1);
 }
 
+void EndLook(const std::filesystem::path& file) {
+  std::error_code none;
+  std::filesystem::remove(file, none);
+}
+
 // A file that is there and says nothing is of one look at least.
 int LooksInVain(const std::filesystem::path& file) {
   const auto text = ReadFile(file);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -92,6 +93,11 @@ Reason PictureFault(std::string_view shown, const std::vector<std::string_view>&
   if (nearest < kMostApart) return {};
   return {fmt::format("the picture is not that of the face: {:.0f} of 255 apart", nearest),
           fmt::format("画面が顔と違います（255のうち{:.0f}の差）", nearest)};
+}
+
+Reason ShownFrames::Fault(Time flipped_at) {
+  if (flipped_at > std::exchange(before_, flipped_at)) return {};
+  return {"the screen takes no new frames", "画面が更新されていません"};
 }
 
 // Units are told by their names; the order in which systemctl gives them does not matter. One that it left out is a fault.

@@ -1,5 +1,5 @@
 // What is looked at while a system is tried: its picture, its programs, and whether its disk holds what it should.
-// Each gives what is wrong; empty: nothing. All pure.
+// Each gives what is wrong; empty: nothing. No file is read here.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "appliance/programs/update/reason.h"
+#include "drivers/base/clock.h"
 
 namespace kaori::update {
 
@@ -21,6 +22,17 @@ Reason PictureFault(std::string_view shown, const std::vector<std::string_view>&
 // Whether a program that was started anew since the box was switched on is a fault. It is one of a version; a system that is
 // tried because the other one shows no face is kept with it, since to give way would be to show none.
 enum class Restarts : std::uint8_t { kAreFaults, kAreNone };
+
+// Tells whether the screen still takes new frames, from one look to the next: the stage's canvas goes on without a screen, and its
+// picture would stay that of the face. One thread.
+class ShownFrames {
+ public:
+  // `flipped_at` is when the newest frame came onto the screen, as the stage has it on the board; the clock's beginning where none did.
+  Reason Fault(Time flipped_at);
+
+ private:
+  Time before_{};
+};
 
 // What `systemctl show --property=Id,ActiveState,NRestarts` says of so many units: each has to run, and none was started anew.
 Reason ProgramsFault(std::string_view shown, std::size_t units, Restarts restarts);

@@ -11,8 +11,7 @@
 
 #include "appliance/core/board/face_pace.h"
 #include "appliance/core/update/caller.h"
-#include "appliance/programs/update/looking.h"
-#include "appliance/programs/update/looks.h"
+#include "appliance/programs/update/confirm.h"
 #include "appliance/programs/update/other_fault.h"
 #include "appliance/programs/update/restart.h"
 #include "appliance/programs/update/running.h"
@@ -73,12 +72,6 @@ struct Settings {
 
 // The name of the descriptor that the socket's unit passes.
 constexpr const char* kPassed = "update";
-constexpr std::size_t kMostPicture_bytes = std::size_t{8} << 20U;
-constexpr std::size_t kMostLog_bytes = std::size_t{64} << 10U;
-constexpr auto kLookPeriod = std::chrono::seconds(5);
-constexpr auto kLongestAnswer = std::chrono::seconds(20);
-// Without one of these a box that is operated would not answer its operators.
-const std::vector<std::string> kPrograms{"kaori-stage.service", "kaori-input.service", "kaori-lips.service"};
 
 // The slot that does not run, as an installation writes it: opened for each update, and closed with it.
 kaori::Result<kaori::update::Disk> OpenDisk(const Settings& settings, kaori::ports::Slot running) {
@@ -93,116 +86,26 @@ kaori::update::Box BoxOf(const Settings& settings, const kaori::update::Running&
           .keys = [&settings] { return kaori::update::TrustedKeys(settings.keys); },
           .open_disk = [&settings, running] { return OpenDisk(settings, running.slot); },
           .open_choice = [&settings, running] { return OpenBootChoice(settings.disk, running.slot); },
-          .restart = [&settings] { kaori::update::RestartMachine(settings.systemctl); },
+          .restart = [&settings] { kaori::update::RestartOrSay(settings.systemctl); },
           .may_work = kaori::board::PaceByBoardAt(settings.board)};
-}
-
-// What the status picture shows, in both languages; a file in memory.
-void TellStatus(const Settings& settings, const kaori::update::Outcome& outcome) {
-  using kaori::update::Language;
-  const std::string text = Say(outcome.message, Language::kEnglish, outcome.version, outcome.detail) + "\n" +
-                           Say(outcome.message, Language::kJapanese, outcome.version, outcome.japanese) +
-                           "\n";
-  kaori::LogWarning("{}", text.substr(0, text.find('\n')));
-  if (auto told = kaori::WriteWholeFile(fs::path(settings.said) / "notice", {kaori::AsBytes(text)}); !told)
-    kaori::LogWarning("{}", told.error().message());
-}
-
-std::string PictureOf(const std::string& file) {
-  return kaori::ReadFile(file, {.most_bytes = kMostPicture_bytes}).value_or("");
-}
-
-// Looks at everything once, the cheapest first: what is found becomes the reason where the system gives way. `seen` is when
-// the picture of the look before was made: a stage that hangs makes no new one. `last` is the last face that the system before
-// has kept: what is tried keeps one of its own, which says nothing of it.
-kaori::update::Reason FaultNow(const Settings& settings, const std::string& last,
-                               kaori::update::Restarts restarts, fs::file_time_type& seen) {
-  std::vector<std::string> ask{settings.systemctl, "show", "--property=Id,ActiveState,NRestarts"};
-  ask.insert(ask.end(), kPrograms.begin(), kPrograms.end());
-  const auto programs = kaori::OutputOf(ask, kMostLog_bytes, kLongestAnswer);
-  if (!programs) return {programs.error().message(), "プログラムの状態を調べられません"};
-  if (auto fault = kaori::update::ProgramsFault(*programs, kPrograms.size(), restarts); !fault.empty())
-    return fault;
-  const auto log = kaori::OutputOf({"/bin/journalctl", "-k", "-b", "--no-pager", "-o", "cat"}, kMostLog_bytes,
-                                   kLongestAnswer);
-  if (!log) return {log.error().message(), "カーネルのログを読めません"};
-  if (auto fault = kaori::update::DiskFault(*log); !fault.empty()) return fault;
-  std::error_code none;
-  const auto made = fs::last_write_time(settings.picture, none);
-  if (none || std::exchange(seen, made) == made)
-    return {"the stage shows no new picture", "ステージが新しい画面を出しません"};
-  const std::string still = PictureOf(settings.still);
-  return kaori::update::PictureFault(PictureOf(settings.picture), {still, last});
-}
-
-// The system that was tried stays, or keeps its reason and starts the one before.
-void End(const Settings& settings, kaori::update::Confirmation::Verdict verdict,
-         const kaori::update::Reason& reason, kaori::ports::BootChoice& choice, kaori::update::Notes& notes,
-         std::uint32_t version) {
-  if (verdict == kaori::update::Confirmation::Verdict::kStays) {
-    const auto stays = ConfirmTried(choice, notes);
-    if (stays) return TellStatus(settings, {Message::kConfirmed, version});
-    return TellStatus(settings, {Message::kDiskFault, version, stays.error().message()});
-  }
-  const auto log = kaori::OutputOf({"/bin/journalctl", "-b", "--no-pager", "-o", "short-monotonic"},
-                                   kMostLog_bytes, kLongestAnswer);
-  kaori::ExpectSlowDisk();
-  if (auto kept = GiveWay(notes, reason, log.value_or("")); !kept)
-    kaori::LogWarning("{}", kept.error().message());
-  kaori::LogError("this version gives way to the one before: {}", reason.english);
-  kaori::update::RestartMachine(settings.systemctl);
 }
 
 kaori::update::FaultPlaces PlacesOf(const Settings& settings) {
   return {.no_show = settings.other, .board = settings.board, .systemctl = settings.systemctl};
 }
 
-fs::path LookFile(const Settings& settings) {
-  return fs::path(settings.said) / "looking";
-}
-
-// The stage makes pictures of what it shows as long as `wanted` is there.
-int LookOn(const Settings& settings, kaori::ports::BootChoice& choice, kaori::update::Notes& notes,
-           std::uint32_t version, kaori::EventLoop& loop) {
-  NoteStart(notes);
-  kaori::update::BeginLook(LookFile(settings));
-  const kaori::SteadyClock clock;
-  kaori::update::Confirmation confirmation(clock.now());
-  const std::string last = PictureOf(settings.last_face);
-  const auto restarts =
-      version == 0 ? kaori::update::Restarts::kAreNone : kaori::update::Restarts::kAreFaults;
-  fs::file_time_type seen{};
-  const fs::path wanted = fs::path(settings.said) / "wanted";
-  if (auto told = kaori::WriteWholeFile(wanted, {}); !told) kaori::LogWarning("{}", told.error().message());
-  const auto look = [&] {
-    const auto verdict = confirmation.Observe(FaultNow(settings, last, restarts, seen), clock.now());
-    if (verdict == kaori::update::Confirmation::Verdict::kLooking) return;
-    End(settings, verdict, confirmation.reason(), choice, notes, version);
-    loop.Stop();
-  };
-  const auto ran = loop.RunEvery(kLookPeriod, look);
-  std::error_code none;
-  fs::remove(wanted, none);
-  return ran ? 0 : kaori::ExitWithError(ran.error());
-}
-
-// A look that hung is never made again: nobody could say when it ends.
-int Confirm(const Settings& settings, const kaori::update::Running& running) {
-  const int in_vain = kaori::update::LooksInVain(LookFile(settings));
-  if (in_vain > 1) return kaori::update::RestartMachine(settings.systemctl, kaori::update::Stop::kAtOnce), 0;
-  auto loop = kaori::EventLoop::Open();
-  if (!loop) return kaori::ExitWithError(loop.error());
-  if (auto ok = kaori::service::FeedWatchdogOfUnit(*loop); !ok) return kaori::ExitWithError(ok.error());
-  const auto notes = kaori::update::OpenNotes(settings.notes);
-  auto choice = OpenBootChoice(settings.disk, running.slot);
-  if (!choice) return kaori::ExitWithError(choice.error());
-  const auto found = AfterStart(**choice, *notes);
-  if (found.message != Message::kNothingWaits) TellStatus(settings, found);
-  if (found.message != Message::kLooking) return 0;
-  if (in_vain == 0) return LookOn(settings, **choice, *notes, found.version, *loop);
-  End(settings, kaori::update::Confirmation::Verdict::kGivesWay, kaori::update::VainLook(), **choice, *notes,
-      found.version);
-  return 0;
+kaori::update::TrialPlaces TrialOf(const Settings& settings) {
+  return {.slot = settings.slot,
+          .notes = settings.notes,
+          .said = settings.said,
+          .picture = settings.picture,
+          .still = settings.still,
+          .last_face = settings.last_face,
+          .board = settings.board,
+          .systemctl = settings.systemctl,
+          .open_choice = [&settings](kaori::ports::Slot running) {
+            return OpenBootChoice(settings.disk, running);
+          }};
 }
 
 // The last picture stands meanwhile, where there was one.
@@ -212,9 +115,9 @@ int TryOtherSystem(const Settings& settings, const kaori::update::Running& runni
   auto choice = OpenBootChoice(settings.disk, running.slot);
   if (!choice) return kaori::ExitWithError(choice.error());
   kaori::LogError("{}; the disk's other system is tried", fault);
-  const auto begun = TryOther(**choice, *notes);
-  TellStatus(settings, begun);
-  if (begun.message == Message::kRestarts) kaori::update::RestartMachine(settings.systemctl);
+  const auto begun = TryOther(**choice, *notes, running);
+  kaori::update::TellStatus(settings.said, begun);
+  if (begun.message == Message::kRestarts) kaori::update::RestartOrSay(settings.systemctl);
   return 0;
 }
 
@@ -289,9 +192,9 @@ int main(int argc, char** argv) {
       .Text("--install", settings.install)
       .Text("--other", settings.other);
   if (const auto status = options.Parse(argc, argv)) return *status;
+  if (settings.confirm) return kaori::update::Confirm(TrialOf(settings));
   const auto running = kaori::update::ReadRunning(settings.version, settings.slot);
   if (!running) return kaori::ExitWithError(running.error());
-  if (settings.confirm) return Confirm(settings, *running);
   if (settings.look) return kaori::update::FaultOfSystem(PlacesOf(settings)).empty() ? 1 : 0;
   if (!settings.other.empty()) return TryOtherSystem(settings, *running);
   if (!settings.install.empty()) return Install(settings, *running);

@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t kMostPending_bytes = 64;
 constexpr std::size_t kMostLastTry_bytes = std::size_t{128} << 10U;
+// A last try with its log, the two short notes, and what the file system needs for their names.
+constexpr std::size_t kReserved_bytes = kMostLastTry_bytes + (std::size_t{32} << 10U);
+constexpr const char* kReserved = "reserved";
 
 class NotesFolder final : public Notes {
  public:
@@ -24,6 +27,10 @@ class NotesFolder final : public Notes {
   }
   Result<void> KeepPending(const Pending& pending) override { return Keep("pending", Format(pending)); }
   Result<void> ForgetPending() override { return Remove("pending"); }
+  std::optional<Pending> ReadBefore() const override {
+    return ParsePending(ReadFile(folder_ / "before", {.most_bytes = kMostPending_bytes}).value_or(""));
+  }
+  Result<void> KeepBefore(const Pending& before) override { return Keep("before", Format(before)); }
   std::string ReadLastTry() const override {
     return ReadBeginning(folder_ / "last-try", kMostLastTry_bytes).value_or("");
   }
@@ -31,11 +38,25 @@ class NotesFolder final : public Notes {
     return text.empty() ? Remove("last-try") : Keep("last-try", text);
   }
 
+  // Zeros are blocks of the disk as well: the file is written, and has no holes.
+  Result<void> Reserve() override {
+    std::error_code none;
+    if (std::filesystem::file_size(folder_ / kReserved, none) == kReserved_bytes && !none) return {};
+    return Write(kReserved, std::string(kReserved_bytes, '\0'));
+  }
+
  private:
-  Result<void> Keep(const char* name, std::string_view text) {
+  Result<void> Write(const char* name, std::string_view text) {
     std::error_code none;  // Where it cannot be made, the writing says why.
     std::filesystem::create_directories(folder_, none);
     return WriteWholeFile(folder_ / name, {AsBytes(text)});
+  }
+  // On a full disk what was reserved makes room.
+  Result<void> Keep(const char* name, std::string_view text) {
+    auto kept = Write(name, text);
+    if (kept || kept.error().cause != std::errc::no_space_on_device) return kept;
+    if (auto freed = Remove(kReserved); !freed) return freed;
+    return Write(name, text);
   }
   // A name that is gone is on the disk with its folder.
   Result<void> Remove(const char* name) {

@@ -3,6 +3,8 @@
 // In the folder `update` of the data partition lie
 //   pending   the update that lies in the other slot and waits to be tried, or is being tried
 //   last-try  what became of the last try, and the end of its log
+//   before    the system from which an update was last tried: it lies in its slot until the next update is written there
+//   reserved  room for these, so that a partition which becomes full still takes them
 #pragma once
 
 #include <filesystem>
@@ -24,10 +26,16 @@ class Notes {
   // Each returns once it is on the disk. Errors: those of WriteWholeFile and unlink(2).
   virtual Result<void> KeepPending(const Pending& pending) = 0;
   virtual Result<void> ForgetPending() = 0;
+  // The same three words as of an update that waits; its tries say nothing.
+  virtual std::optional<Pending> ReadBefore() const = 0;
+  virtual Result<void> KeepBefore(const Pending& before) = 0;
   // Lines: what became of the try, then the end of its log. Empty where nothing was tried.
   virtual std::string ReadLastTry() const = 0;
   // An empty text removes it.
   virtual Result<void> KeepLastTry(std::string_view text) = 0;
+  // Takes room by which each of the others can be kept once more, however full the disk becomes. Errors: those of WriteWholeFile;
+  // no_space_on_device, where it is full already.
+  virtual Result<void> Reserve() = 0;
 };
 
 // In this folder, which is made where it is missing.

@@ -13,12 +13,28 @@ namespace kaori::update {
 namespace {
 
 constexpr std::size_t kMostWord_bytes = std::size_t{4} << 10U;
+constexpr std::size_t kMostLog_bytes = std::size_t{64} << 10U;
 constexpr auto kLongestWord = std::chrono::seconds(20);  // Of systemctl, beside a busy machine.
 
 // Frames of all the stages of this start; a board that is not there yet, or that no stage has written, has none.
 bool HasShownAFace(const std::string& path) {
   const auto board = board::Board::Open(path);
   return board && board->Read<board::StageStatus>().value.frames > 0;
+}
+
+// A program of the operators' that ends again and again may do so over a device, which no other system would help; beside a block
+// that the disk has spoilt it is the system.
+std::string SpoiltProgram(const FaultPlaces& places) {
+  for (const char* unit : {"kaori-input.service", "kaori-lips.service"}) {
+    const auto shown =
+        OutputOf({places.systemctl, "show", "--property=NRestarts", unit}, kMostWord_bytes, kLongestWord);
+    if (!shown || !EndsAgainAndAgain(*shown)) continue;
+    const auto log =
+        OutputOf({places.journalctl, "-k", "-b", "--no-pager", "-o", "cat"}, kMostLog_bytes, kLongestWord);
+    const Reason fault = log ? DiskFault(*log) : Reason{};
+    return fault.empty() ? "" : std::string(unit) + " ends again and again, and " + fault.english;
+  }
+  return {};
 }
 
 }  // namespace
@@ -28,7 +44,7 @@ std::string FaultOfSystem(const FaultPlaces& places) {
     const std::string reason = ReadFile(places.no_show).value_or("");
     return "no show can be played: " + reason.substr(0, reason.find('\n'));
   }
-  if (HasShownAFace(places.board)) return {};
+  if (HasShownAFace(places.board)) return SpoiltProgram(places);
   const auto shown = OutputOf({places.systemctl, "show", "--property=NRestarts", "kaori-stage.service"},
                               kMostWord_bytes, kLongestWord);
   return shown && EndsAgainAndAgain(*shown) ? "the stage ends again and again, and has shown no face" : "";

@@ -33,18 +33,23 @@ std::optional<std::uint32_t> NumberOf(std::string_view text, std::string_view wo
 
 }  // namespace
 
+Result<ports::Slot> ReadSlot(const std::filesystem::path& slot) {
+  const auto letter = ReadFile(slot, {.most_bytes = kMost_bytes});
+  if (!letter) return tl::unexpected(letter.error());
+  if (*letter != "A" && *letter != "B") return FailInput(slot.string() + ": it names no slot");
+  return *letter == "A" ? ports::Slot::kA : ports::Slot::kB;
+}
+
 Result<Running> ReadRunning(const std::filesystem::path& version, const std::filesystem::path& slot) {
   const auto said = ReadFile(version, {.most_bytes = kMost_bytes});
   if (!said) return tl::unexpected(said.error());
-  const auto letter = ReadFile(slot, {.most_bytes = kMost_bytes});
-  if (!letter) return tl::unexpected(letter.error());
+  const auto running = ReadSlot(slot);
+  if (!running) return tl::unexpected(running.error());
   const std::string_view text = *said;
   const auto number = NumberOf(text, "version ");
   const auto least = NumberOf(text, "least ");
   if (!number || !least) return FailInput(version.string() + ": it names no version");
-  if (*letter != "A" && *letter != "B") return FailInput(slot.string() + ": it names no slot");
-  return Running{*number, *least, *letter == "A" ? ports::Slot::kA : ports::Slot::kB,
-                 std::string(AfterWord(text, "product ").value_or(kProduct))};
+  return Running{*number, *least, *running, std::string(AfterWord(text, "product ").value_or(kProduct))};
 }
 
 show::PublicKeys TrustedKeys(const std::filesystem::path& folder) {

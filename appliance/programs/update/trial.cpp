@@ -39,7 +39,7 @@ Reason ReadKept(const std::string& text) {
 
 }  // namespace
 
-Outcome BeginTry(ports::BootChoice& choice, Notes& notes) {
+Outcome BeginTry(ports::BootChoice& choice, Notes& notes, std::uint32_t version) {
   const auto pending = notes.ReadPending();
   if (!pending) return {Message::kNothingWaits};
   const auto by_itself = choice.Default();
@@ -49,6 +49,7 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes) {
   Pending tried = *pending;
   ++tried.tries;
   auto kept = notes.KeepLastTry("");
+  if (kept) kept = notes.KeepBefore({version, choice.running(), 0});
   if (kept) kept = notes.KeepPending(tried);
   if (!kept) return {Message::kDiskFault, pending->version, kept.error().message()};
   if (auto ok = choice.TryOnce(pending->slot); !ok) {
@@ -59,14 +60,18 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes) {
 }
 
 // Without a note one is made, of no version: it is known that the other slot was written once, and not what is in it. A
-// half-written one does not start, and the next start is this system again.
-Outcome TryOther(ports::BootChoice& choice, Notes& notes) {
+// half-written one does not start, and the next start is this system again. Without a note of the one before both slots hold what
+// the image was made with, which is as new as this.
+Outcome TryOther(ports::BootChoice& choice, Notes& notes, const Running& running) {
   const auto pending = notes.ReadPending();
   if (pending && pending->tries > 0) return {Message::kTriedOften, pending->version};
+  const auto before = notes.ReadBefore();
+  if (!pending && before && before->slot == ports::Other(choice.running()) && before->version < running.least)
+    return {Message::kBelowLeast, before->version};
   if (!pending)
     if (auto ok = notes.KeepPending({0, ports::Other(choice.running()), 0}); !ok)
       return {Message::kDiskFault, 0, ok.error().message()};
-  Outcome begun = BeginTry(choice, notes);
+  Outcome begun = BeginTry(choice, notes, running.version);
   if (!pending && begun.message != Message::kRestarts) static_cast<void>(notes.ForgetPending());
   return begun;
 }
@@ -116,8 +121,10 @@ Confirmation::Verdict Confirmation::Observe(const Reason& fault, Time now) {
 
 Result<void> ConfirmTried(ports::BootChoice& choice, Notes& notes) {
   if (auto ok = choice.Confirm(choice.running()); !ok) return ok;
-  if (auto ok = notes.ForgetPending(); !ok) return ok;
-  return notes.KeepLastTry("");
+  // It is kept by now. A note that stays is forgotten at the next start (AfterStart).
+  static_cast<void>(notes.ForgetPending());
+  static_cast<void>(notes.KeepLastTry(""));
+  return {};
 }
 
 Result<void> GiveWay(Notes& notes, const Reason& reason, std::string_view log) {

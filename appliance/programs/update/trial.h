@@ -5,6 +5,7 @@
 #include <string>
 
 #include "appliance/core/update/messages.h"
+#include "appliance/programs/update/installation.h"
 #include "appliance/programs/update/notes.h"
 #include "appliance/programs/update/reason.h"
 #include "drivers/base/clock.h"
@@ -29,12 +30,14 @@ struct Outcome {
 };
 
 // Has the next start try what waits: kRestarts, and the machine is to be restarted then. The try is counted
-// before it is made, so that a cut in between never tries without end; one that the firmware refuses does not count.
-Outcome BeginTry(ports::BootChoice& choice, Notes& notes);
+// before it is made, so that a cut in between never tries without end; one that the firmware refuses does not count. `version` is that
+// of the running system, which is noted as the one before.
+Outcome BeginTry(ports::BootChoice& choice, Notes& notes, std::uint32_t version);
 
 // The running system can play no show: the disk's other one is tried once, as an update would be, and stays where its face
-// is seen. What is answered is as of BeginTry; kTriedOften where it was tried before, by whomever.
-Outcome TryOther(ports::BootChoice& choice, Notes& notes);
+// is seen. What is answered is as of BeginTry; kTriedOften where it was tried before, by whomever; kBelowLeast where it is older than the
+// running system lets this box become, `running.least`.
+Outcome TryOther(ports::BootChoice& choice, Notes& notes, const Running& running);
 
 // Tells a fault that lasts from one that comes and goes: a disk that is lost for a moment gives every show the same error, and
 // the stage reads one at its next try. Pure; one thread.

@@ -158,6 +158,14 @@ TEST(Slot, IsTheOneThatTheCommandLineNames) {
     EXPECT_THAT(SlotOf(other), IsEmpty()) << other;
 }
 
+TEST(Slot, IsTriedWhereTheNoteOfAnUpdateIsOfIt) {
+  EXPECT_TRUE(IsTried("12 B 1\n", "B"));
+  EXPECT_TRUE(IsTried("12 A 1\n", "A"));
+  EXPECT_FALSE(IsTried("12 B 1\n", "A"));
+  for (const char* note : {"", "12 B", "B", "noise \x01"}) EXPECT_FALSE(IsTried(note, "B")) << note;
+  EXPECT_FALSE(IsTried("12 B 1\n", ""));
+}
+
 class SettingsFolder : public ::testing::Test {
  protected:
   SettingsFolder()

@@ -67,7 +67,7 @@ class BadSlotTest : public ::testing::Test {
     choice_ = sim::BootLoader();
     notes_ = SimulatedNotes();
     notes_.pending = Pending{6, Slot::kB, 0};
-    BeginTry(choice_, notes_);
+    BeginTry(choice_, notes_, 5);
     EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
     if (!slot.starts) return false;
     NoteStart(notes_);

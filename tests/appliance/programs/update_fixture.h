@@ -47,7 +47,10 @@ class SimulatedNotes final : public Notes {
  public:
   explicit SimulatedNotes(const sim::SimulatedDisk* disk = nullptr) : disk_(disk) {}
   std::optional<Pending> pending{};
+  std::optional<Pending> before{};
   std::string last_try{};
+  // What Reserve fails with.
+  std::optional<std::errc> no_room{};
   std::optional<std::errc> fault{};
   // (events of the disk before it, whether it said from then on that an update waits)
   std::vector<std::pair<std::size_t, bool>> changes{};
@@ -55,6 +58,15 @@ class SimulatedNotes final : public Notes {
   std::optional<Pending> ReadPending() const override { return pending; }
   Result<void> KeepPending(const Pending& wanted) override { return Change(wanted); }
   Result<void> ForgetPending() override { return Change(std::nullopt); }
+  std::optional<Pending> ReadBefore() const override { return before; }
+  Result<void> KeepBefore(const Pending& wanted) override {
+    if (fault) return Fail(*fault, "keep the version before");
+    before = wanted;
+    return {};
+  }
+  Result<void> Reserve() override {
+    return no_room ? Result<void>(Fail(*no_room, "reserve room")) : Result<void>{};
+  }
   std::string ReadLastTry() const override { return last_try; }
   Result<void> KeepLastTry(std::string_view text) override {
     if (fault) return Fail(*fault, "keep the last try");

@@ -216,8 +216,19 @@ TEST_F(UpdateInstallation, OfADiskThatFailsAtAnyWriteLeavesNothingThatWaits) {
 
 TEST_F(UpdateInstallation, SaysWhenItCannotBeNoted) {
   notes_.fault = std::errc::no_space_on_device;
-  EXPECT_EQ(Install(BundleOf(6)).message, Message::kDiskFault);
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kDataFull);
   EXPECT_TRUE(disk_.events().empty()) << "what waits cannot be forgotten, so nothing is written";
+  notes_.fault = std::errc::io_error;
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kDiskFault);
+  EXPECT_TRUE(disk_.events().empty());
+}
+
+TEST_F(UpdateInstallation, WritesNothingWhereTheNoteAtItsEndWouldHaveNoRoom) {
+  notes_.no_room = std::errc::no_space_on_device;
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kDataFull);
+  EXPECT_TRUE(disk_.events().empty());
+  notes_.no_room.reset();
+  EXPECT_EQ(Install(BundleOf(6)).message, Message::kWaits);
 }
 
 TEST(UpdateMessages, HaveALineInBothLanguagesThatFitsAScreen) {

@@ -19,6 +19,13 @@ class OtherFault : public ::testing::Test {
                                      << times << "\n";
     ::chmod(places_.systemctl.c_str(), 0755);
   }
+  // What it says of one of the operators' programs, and the kernel of the disk.
+  void Ends(const std::string& unit, const std::string& times, const std::string& kernel_says) {
+    std::ofstream(places_.systemctl) << "#!/bin/sh\n[ \"$3\" = " << unit << " ] && echo NRestarts=" << times
+                                     << "\nexit 0\n";
+    std::ofstream(places_.journalctl) << "#!/bin/sh\necho '" << kernel_says << "'\n";
+    ::chmod(places_.journalctl.c_str(), 0755);
+  }
   void Show(std::uint32_t frames) {
     board_.AcquireWriter<board::StageStatus>().value().Write({.frames = frames}, Time{},
                                                              board::SourceState::kLive);
@@ -28,7 +35,8 @@ class OtherFault : public ::testing::Test {
   board::Board board_ = file_.Open();
   FaultPlaces places_{.no_show = file_.folder() / "no-show",
                       .board = file_.path(),
-                      .systemctl = (file_.folder() / "systemctl").string()};
+                      .systemctl = (file_.folder() / "systemctl").string(),
+                      .journalctl = (file_.folder() / "journalctl").string()};
 };
 
 TEST_F(OtherFault, IsAShowThatCannotBeReadWithItsReason) {
@@ -56,6 +64,21 @@ TEST_F(OtherFault, IsNothingThatTheServiceManagerDoesNotSay) {
   EXPECT_EQ(FaultOfSystem(places_), "");
   std::filesystem::remove(places_.systemctl);
   EXPECT_EQ(FaultOfSystem(places_), "");
+}
+
+TEST_F(OtherFault, IsAProgramOfTheOperatorsThatEndsAgainAndAgainBesideASpoiltBlock) {
+  Show(100);
+  for (const char* unit : {"kaori-input.service", "kaori-lips.service"}) {
+    Ends(unit, "2", "device-mapper: verity: 253:0: data block 12 is corrupted");
+    EXPECT_EQ(FaultOfSystem(places_),
+              std::string(unit) +
+                  " ends again and again, and the disk does not hold what was written: "
+                  "device-mapper: verity: 253:0: data block 12 is corrupted");
+    Ends(unit, "1", "device-mapper: verity: 253:0: data block 12 is corrupted");
+    EXPECT_EQ(FaultOfSystem(places_), "") << "once is not again and again";
+    Ends(unit, "40", "usb 1-1: device descriptor read/64, error -71");
+    EXPECT_EQ(FaultOfSystem(places_), "") << "a device of which no other system would do better";
+  }
 }
 
 TEST_F(OtherFault, IsAStageThatCouldNotEvenMakeABoard) {

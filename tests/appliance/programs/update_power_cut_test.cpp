@@ -222,7 +222,7 @@ TEST_F(UpdatePowerCut, BetweenTheNoteAndTheTryCostsATryAtMost) {
     SimulatedNotes notes;
     notes.pending = Pending{6, ports::Slot::kB, 0};
     choice.CallBeforeTry([&] { EXPECT_EQ(notes.pending->tries, 1U) << "counted before it is made"; });
-    BeginTry(choice, notes);
+    BeginTry(choice, notes, 5);
     if (is_cut_before_variable) choice.SwitchOn();
     EXPECT_EQ(choice.SwitchOn(), is_cut_before_variable ? ports::Slot::kA : ports::Slot::kB);
     EXPECT_EQ(choice.SwitchOn(), ports::Slot::kA) << "the next start is the one before again";

@@ -1,6 +1,7 @@
 // A version that is tried stays when its face was seen for a minute, and gives way otherwise.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "appliance/programs/update/looks.h"
 #include "appliance/programs/update/running.h"
@@ -20,14 +21,18 @@ using Verdict = Confirmation::Verdict;
 
 class UpdateTrial : public ::testing::Test {
  protected:
+  static constexpr std::uint32_t kVersion = 5;
   UpdateTrial() { notes_.pending = Pending{6, Slot::kB, 0}; }
+  Running Runs(std::uint32_t version, std::uint32_t least = 3) const {
+    return {.version = version, .least = least, .slot = choice_.running()};
+  }
   sim::BootLoader choice_;
   SimulatedNotes notes_;
 };
 
 TEST_F(UpdateTrial, StartsTheOtherSlotOnceAndKeepsItWhenItDoesWell) {
   EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kWaits);
-  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kRestarts);
+  EXPECT_EQ(BeginTry(choice_, notes_, kVersion).message, Message::kRestarts);
   EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
   EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kLooking);
   NoteStart(notes_);
@@ -39,7 +44,7 @@ TEST_F(UpdateTrial, StartsTheOtherSlotOnceAndKeepsItWhenItDoesWell) {
 }
 
 TEST_F(UpdateTrial, ThatGivesWayComesBackAndSaysWhy) {
-  BeginTry(choice_, notes_);
+  BeginTry(choice_, notes_, kVersion);
   choice_.SwitchOn();
   ASSERT_TRUE(GiveWay(notes_, {"kaori-lips.service does not run\nat all", "動きません"}, "its log"));
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
@@ -55,7 +60,7 @@ TEST_F(UpdateTrial, ThatGivesWayComesBackAndSaysWhy) {
 
 TEST_F(UpdateTrial, ThatDiesWithoutAWordIsToldOfAsWell) {
   notes_.last_try = "of a try before";
-  BeginTry(choice_, notes_);
+  BeginTry(choice_, notes_, kVersion);
   choice_.SwitchOn();
   choice_.SwitchOn();
   const auto found = AfterStart(choice_, notes_);
@@ -65,7 +70,7 @@ TEST_F(UpdateTrial, ThatDiesWithoutAWordIsToldOfAsWell) {
 }
 
 TEST_F(UpdateTrial, ThatIsCutOffIsToldFromOneThatNeverStarted) {
-  BeginTry(choice_, notes_);
+  BeginTry(choice_, notes_, kVersion);
   choice_.SwitchOn();
   NoteStart(notes_);
   choice_.SwitchOn();
@@ -74,11 +79,11 @@ TEST_F(UpdateTrial, ThatIsCutOffIsToldFromOneThatNeverStarted) {
 
 TEST_F(UpdateTrial, IsMadeThreeTimesAtMost) {
   for (std::uint32_t n = 0; n < kMostTries; ++n) {
-    EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kRestarts);
+    EXPECT_EQ(BeginTry(choice_, notes_, kVersion).message, Message::kRestarts);
     choice_.SwitchOn();
     choice_.SwitchOn();
   }
-  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kTriedOften);
+  EXPECT_EQ(BeginTry(choice_, notes_, kVersion).message, Message::kTriedOften);
   EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kTriedOften);
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
 }
@@ -86,7 +91,8 @@ TEST_F(UpdateTrial, IsMadeThreeTimesAtMost) {
 TEST_F(UpdateTrial, IsRefusedOnAPcThatForgets) {
   choice_.ForgetVariables();
   for (std::uint32_t n = 0; n <= kMostTries; ++n)
-    EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kForgets) << "what was not tried does not count";
+    EXPECT_EQ(BeginTry(choice_, notes_, kVersion).message, Message::kForgets)
+        << "what was not tried does not count";
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
   EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kWaits);
 }
@@ -94,22 +100,23 @@ TEST_F(UpdateTrial, IsRefusedOnAPcThatForgets) {
 TEST_F(UpdateTrial, IsNotBegunFromATrialNorWithoutAnUpdateNorWithoutANote) {
   ASSERT_TRUE(choice_.TryOnce(Slot::kB));
   choice_.SwitchOn();
-  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kTrialRuns);
+  EXPECT_EQ(BeginTry(choice_, notes_, kVersion).message, Message::kTrialRuns);
   choice_.SwitchOn();
   notes_.fault = std::errc::io_error;
-  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kDiskFault);
+  EXPECT_EQ(BeginTry(choice_, notes_, kVersion).message, Message::kDiskFault);
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA) << "a try that cannot be counted is not made";
   notes_.fault.reset();
   notes_.pending.reset();
-  EXPECT_EQ(BeginTry(choice_, notes_).message, Message::kNothingWaits);
+  EXPECT_EQ(BeginTry(choice_, notes_, kVersion).message, Message::kNothingWaits);
 }
 
 // A system that can play no show.
 TEST_F(UpdateTrial, OfTheOtherSystemIsMadeOnceAndStaysWhereItsFaceIsSeen) {
   notes_.pending.reset();
-  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kRestarts);
+  EXPECT_EQ(TryOther(choice_, notes_, Runs(kVersion)).message, Message::kRestarts);
   EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
-  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kTriedOften) << "which cannot play either";
+  EXPECT_EQ(TryOther(choice_, notes_, Runs(kVersion)).message, Message::kTriedOften)
+      << "which cannot play either";
   EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kLooking);
   ASSERT_TRUE(ConfirmTried(choice_, notes_));
   EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
@@ -117,17 +124,44 @@ TEST_F(UpdateTrial, OfTheOtherSystemIsMadeOnceAndStaysWhereItsFaceIsSeen) {
 
 TEST_F(UpdateTrial, OfTheOtherSystemThatIsNoneComesBackAndIsNotRepeated) {
   notes_.pending.reset();
-  TryOther(choice_, notes_);
+  TryOther(choice_, notes_, Runs(kVersion));
   choice_.SwitchOn();
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
-  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kTriedOften);
+  EXPECT_EQ(TryOther(choice_, notes_, Runs(kVersion)).message, Message::kTriedOften);
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
 }
 
 TEST_F(UpdateTrial, OfTheOtherSystemIsNotMadeOnAPcThatForgets) {
   notes_.pending.reset();
   choice_.ForgetVariables();
-  EXPECT_EQ(TryOther(choice_, notes_).message, Message::kForgets);
+  EXPECT_EQ(TryOther(choice_, notes_, Runs(kVersion)).message, Message::kForgets);
+  EXPECT_EQ(notes_.pending, std::nullopt);
+}
+
+// An update from A to B stays; the system that it replaced has a hole that is known since.
+TEST_F(UpdateTrial, OfTheSystemBeforeIsNotMadeWhereItIsBelowTheLeast) {
+  BeginTry(choice_, notes_, kVersion);
+  EXPECT_EQ(notes_.before, (Pending{kVersion, Slot::kA, 0}));
+  choice_.SwitchOn();
+  ASSERT_TRUE(ConfirmTried(choice_, notes_));
+  const auto refused = TryOther(choice_, notes_, Runs(6, 6));
+  EXPECT_EQ(refused.message, Message::kBelowLeast);
+  EXPECT_EQ(refused.version, kVersion);
+  EXPECT_EQ(notes_.pending, std::nullopt);
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
+  EXPECT_EQ(TryOther(choice_, notes_, Runs(6, 5)).message, Message::kRestarts)
+      << "it is as new as it has to be";
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
+}
+
+TEST_F(UpdateTrial, ThatIsKeptIsKeptAlsoWhereItsNoteCannotBeForgotten) {
+  BeginTry(choice_, notes_, kVersion);
+  choice_.SwitchOn();
+  notes_.fault = std::errc::read_only_file_system;
+  EXPECT_TRUE(ConfirmTried(choice_, notes_));
+  EXPECT_EQ(choice_.SwitchOn(), Slot::kB);
+  notes_.fault.reset();
+  EXPECT_EQ(AfterStart(choice_, notes_).message, Message::kNothingWaits);
   EXPECT_EQ(notes_.pending, std::nullopt);
 }
 
@@ -143,7 +177,7 @@ TEST(LastingFaultTest, IsNotOneThatComesAndGoes) {
 }
 
 TEST_F(UpdateTrial, WhoseNoteOutlivesItsConfirmationIsOver) {
-  BeginTry(choice_, notes_);
+  BeginTry(choice_, notes_, kVersion);
   choice_.SwitchOn();
   ASSERT_TRUE(choice_.Confirm(Slot::kB));
   choice_.SwitchOn();
@@ -204,6 +238,19 @@ TEST(UpdateLooks, FindABlackPictureAnotherFaceAndNone) {
   EXPECT_THAT(PictureFault(still, {}).english, HasSubstr("not that of the face"));
 }
 
+TEST(UpdateLooks, FindAScreenThatTakesNoNewFrames) {
+  const Time began = ManualClock().now();
+  ShownFrames never;
+  EXPECT_EQ(never.Fault(Time{}).english, "the screen takes no new frames")
+      << "none came since the machine started";
+  ShownFrames frames;
+  EXPECT_TRUE(frames.Fault(began).empty());
+  EXPECT_TRUE(frames.Fault(began + seconds(5)).empty());
+  EXPECT_FALSE(frames.Fault(began + seconds(5)).empty()) << "the stage goes on to draw without a screen";
+  EXPECT_FALSE(frames.Fault(began + seconds(5)).empty());
+  EXPECT_TRUE(frames.Fault(began + seconds(19)).empty()) << "it is plugged in again";
+}
+
 TEST(UpdateLooks, FindAProgramThatDoesNotRunOrWasStartedAnew) {
   const std::string stage = "Id=kaori-stage.service\nNRestarts=0\nActiveState=active\n\n";
   const auto fault = [&stage](const std::string& lips, Restarts restarts = Restarts::kAreFaults) {
@@ -242,6 +289,26 @@ TEST(UpdateNotes, AreThereAfterAStartAndATextThatIsNoneIsNone) {
   EXPECT_EQ(notes->ReadLastTry(), "");
   for (const char* text : {"", "12 A", "12 C 0\n", "x A 0\n", "12 A 0\nmore"})
     EXPECT_EQ(ParsePending(text), std::nullopt) << text;
+}
+
+TEST(UpdateNotes, OfASystemBeforeAreKeptBesideThoseOfTheUpdate) {
+  const sim::TempFolder folder;
+  const auto notes = OpenNotes(folder.path() + "/update");
+  EXPECT_EQ(notes->ReadBefore(), std::nullopt);
+  ASSERT_TRUE(notes->KeepBefore({11, Slot::kA, 0}));
+  EXPECT_EQ(OpenNotes(folder.path() + "/update")->ReadBefore(), (Pending{11, Slot::kA, 0}));
+  EXPECT_EQ(notes->ReadPending(), std::nullopt);
+}
+
+TEST(UpdateNotes, HaveRoomReservedThatIsOfTheDisk) {
+  const sim::TempFolder folder;
+  const auto notes = OpenNotes(folder.path() + "/update");
+  ASSERT_TRUE(notes->Reserve());
+  struct stat status {};
+  ASSERT_EQ(::stat((folder.path() + "/update/reserved").c_str(), &status), 0);
+  EXPECT_GE(status.st_size, 160 << 10);
+  EXPECT_GE(status.st_blocks * 512, 160 << 10) << "no hole";
+  EXPECT_TRUE(notes->Reserve()) << "it is there";
 }
 
 TEST(UpdateRunning, IsReadFromTheRootAndFromTheFirstProgram) {
