@@ -111,25 +111,39 @@ Result<void> WriteDumpAsPng(const std::string& dump_file, const DumpPart& part, 
   return {};
 }
 
-// The number is ours by our own: two benches never ask for the same.
-Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
-  const int number = kFirstNumber + static_cast<int>(::getpid()) % kNumbers;
-  std::string name = fmt::format(":{}", number);
-  const std::string socket = fmt::format("/tmp/.X11-unix/X{}", number);
+namespace {
+
+// An X server of this number, ready to be drawn on. Xvfb makes the socket itself; one that is left over would be taken for it.
+Result<Process> StartXvfb(int number, const std::string& size, const std::string& folder, Waiter& waiter) {
+  const std::string socket = fmt::format("/tmp/.X11-unix/X{}", number), log = folder + "/xvfb.log";
   std::error_code none;
-  // Xvfb makes the socket itself; one that is left over would be taken for it.
   std::filesystem::remove(socket, none);  // Of a bench that had our number before us.
-  const Sides across = SidesFor(options.width_px, kBegunWidth_px);
-  const Sides down = SidesFor(options.height_px, kBegunHeight_px);
-  auto program =
-      Process::Start({"Xvfb", name, "-screen", "0", fmt::format("{}x{}x24", across.screen_px, down.screen_px),
-                      "-nolisten", "tcp", "-fbdir", options.folder},
-                     options.folder + "/xvfb.log");
-  if (!program) return tl::unexpected(program.error());
+  auto program = Process::Start(
+      {"Xvfb", fmt::format(":{}", number), "-screen", "0", size, "-nolisten", "tcp", "-fbdir", folder}, log);
+  if (!program) return program;
   const auto ready = [&] { return !program->runs() || std::filesystem::exists(socket); };
   if (!waiter.Until(ready, kXScreenLongest)) return Fail(std::errc::timed_out, "start Xvfb");
-  if (!program->runs()) return Fail(std::errc::not_supported, "start Xvfb (Debian's xvfb)");
-  return XScreen(std::move(*program), std::move(name), options.folder + "/Xvfb_screen0",
+  if (program->runs()) return program;
+  return Fail(std::errc::not_supported, "start Xvfb (Debian's xvfb): " + ReadFile(log).value_or(""));
+}
+
+}  // namespace
+
+// The number is ours by our own, so that two benches hardly ever ask for the same. Xvfb was seen to refuse one that was free, whose
+// server had just been killed: another is as good.
+Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
+  constexpr int kTries = 5;
+  const Sides across = SidesFor(options.width_px, kBegunWidth_px);
+  const Sides down = SidesFor(options.height_px, kBegunHeight_px);
+  const std::string size = fmt::format("{}x{}x24", across.screen_px, down.screen_px);
+  Result<Process> program = Fail(std::errc::not_supported, "start Xvfb");
+  int number = 0;
+  for (int tries = 0; tries < kTries && !program; ++tries) {
+    number = kFirstNumber + (static_cast<int>(::getpid()) + tries) % kNumbers;
+    program = StartXvfb(number, size, options.folder, waiter);
+  }
+  if (!program) return tl::unexpected(program.error());
+  return XScreen(std::move(*program), fmt::format(":{}", number), options.folder + "/Xvfb_screen0",
                  {across.before_px, down.before_px, across.window_px, down.window_px});
 }
 

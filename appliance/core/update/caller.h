@@ -5,7 +5,8 @@
 //   "look"     what is it, and may it be taken?     one answer
 //   "install"  brings it in                         answers as it goes on; the last is no kReading and no kWriting
 //   "waits"    which update waits, or why none      one answer
-//   "restart"  tries what waits                     one answer; at kRestarts the machine restarts
+//   "restart"  tries what waits, or else the        one answer; at kRestarts the machine restarts
+//              system before
 #pragma once
 
 #include <cstdint>

@@ -33,9 +33,10 @@ struct ServicePlaces {
   std::filesystem::path
       // What the stage says of the show that plays: appliance/core/store/play_log.h.
       plays{};
-  // Where kaori-update listens, and the note of an update that waits.
+  // Where kaori-update listens, and the notes of an update that waits and of the system before.
   std::string update_socket = update::kSocket;
   std::filesystem::path pending = update::kPendingFile;
+  std::filesystem::path before = update::kBeforeFile;
 };
 
 // Gives the folder in which a stick is mounted; nothing while none is; an error where one is plugged in that

@@ -48,16 +48,22 @@ std::vector<Choosable> WaysBack(const Folder& shows) {
   return ways;
 }
 
-std::vector<Choosable> WaysOn(const std::filesystem::path& pending) {
-  // The note has a version's number and little else; a longer file is none.
+std::vector<Choosable> WaysOn(const std::filesystem::path& pending, const std::filesystem::path& before) {
+  // A note has a version's number and little else; a longer file is none.
   constexpr std::size_t kMostNote_bytes = 64;
-  const auto waits = update::ParsePending(ReadFile(pending, {.most_bytes = kMostNote_bytes}).value_or(""));
-  if (!waits) return {};
-  const std::string which =
-      waits->version == 0 ? "its other system" : fmt::format("version {}", waits->version);
-  return {{.kind = Choosable::Kind::kRestart,
-           .offer = {.file = {}, .name = "restart the box to try " + which},
-           .remark = {}}};
+  const auto read = [](const std::filesystem::path& note) {
+    return update::ParsePending(ReadFile(note, {.most_bytes = kMostNote_bytes}).value_or(""));
+  };
+  const auto restart = [](std::string name) -> std::vector<Choosable> {
+    return {
+        {.kind = Choosable::Kind::kRestart, .offer = {.file = {}, .name = std::move(name)}, .remark = {}}};
+  };
+  if (const auto waits = read(pending))
+    return restart("restart the box to try " +
+                   (waits->version == 0 ? "its other system" : fmt::format("version {}", waits->version)));
+  if (const auto was = read(before))
+    return restart(fmt::format("restart the box to go back to version {}", was->version));
+  return {};
 }
 
 // Shows first, so that their numbers do not depend on the keys beside them; of many shows some have to give

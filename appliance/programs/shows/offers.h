@@ -23,8 +23,9 @@ struct Offered {
 // the root's. Blocks for the disk.
 std::vector<Choosable> WaysBack(const Folder& shows);
 
-// The restart that tries the update that waits, by its note; nothing where none does. Blocks for the disk.
-std::vector<Choosable> WaysOn(const std::filesystem::path& pending);
+// The restart that tries the update that waits, by its note; where none does, the one that goes back to the system before, by its own;
+// nothing where there is neither. Blocks for the disk.
+std::vector<Choosable> WaysOn(const std::filesystem::path& pending, const std::filesystem::path& before);
 
 // What lies at the top of the stick, and `below` it the rest of the list, which keeps its numbers however
 // much lies there. Blocks for the stick. Errors: those of ListShows.

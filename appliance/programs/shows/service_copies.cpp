@@ -6,7 +6,7 @@ namespace kaori::shows {
 
 std::vector<Choosable> InstallService::WaysBackOnBox(bool has_stick) const {
   std::vector<Choosable> ways = WaysBack(folder_);
-  for (Choosable& way : WaysOn(places_.pending)) ways.push_back(std::move(way));
+  for (Choosable& way : WaysOn(places_.pending, places_.before)) ways.push_back(std::move(way));
   if (of_box_.copies != nullptr)
     for (Choosable& each : of_box_.copies->Offers(has_stick)) ways.push_back(std::move(each));
   if (of_box_.settings != nullptr) ways.push_back(BoxSettings::Opening());

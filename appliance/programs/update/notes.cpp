@@ -31,6 +31,7 @@ class NotesFolder final : public Notes {
     return ParsePending(ReadFile(folder_ / "before", {.most_bytes = kMostPending_bytes}).value_or(""));
   }
   Result<void> KeepBefore(const Pending& before) override { return Keep("before", Format(before)); }
+  Result<void> ForgetBefore() override { return Remove("before"); }
   std::string ReadLastTry() const override {
     return ReadBeginning(folder_ / "last-try", kMostLastTry_bytes).value_or("");
   }

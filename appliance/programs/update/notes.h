@@ -29,6 +29,7 @@ class Notes {
   // The same three words as of an update that waits; its tries say nothing.
   virtual std::optional<Pending> ReadBefore() const = 0;
   virtual Result<void> KeepBefore(const Pending& before) = 0;
+  virtual Result<void> ForgetBefore() = 0;
   // Lines: what became of the try, then the end of its log. Empty where nothing was tried.
   virtual std::string ReadLastTry() const = 0;
   // An empty text removes it.

@@ -86,7 +86,7 @@ void UpdateService::Begin(UniqueFd file) {
 void UpdateService::Restart() {
   const auto choice = box_.open_choice();
   if (!choice) return Say({Message::kOtherLayout, 0, 0, choice.error().message()});
-  const Outcome begun = BeginTry(**choice, notes_, box_.running.version);
+  const Outcome begun = TryWhatIsThere(**choice, notes_, box_.running);
   Say({begun.message, begun.version, 0, begun.detail});
   if (begun.message == Message::kRestarts) box_.restart();
 }

@@ -59,21 +59,44 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes, std::uint32_t version)
   return {Message::kRestarts, pending->version};
 }
 
+namespace {
+
+// Below what the running system lets this box become. Without a note of it both slots hold what the image was made with.
+bool IsBelowLeast(const std::optional<Pending>& before, ports::BootChoice& choice, const Running& running) {
+  return before && before->slot == ports::Other(choice.running()) && before->version < running.least;
+}
+
+// With a note that is made for it. Where the try cannot be begun, both notes are as they were.
+Outcome BeginNoted(ports::BootChoice& choice, Notes& notes, const Pending& wanted, std::uint32_t version) {
+  const auto before = notes.ReadBefore();
+  if (auto ok = notes.KeepPending(wanted); !ok)
+    return {Message::kDiskFault, wanted.version, ok.error().message()};
+  Outcome begun = BeginTry(choice, notes, version);
+  if (begun.message == Message::kRestarts) return begun;
+  static_cast<void>(notes.ForgetPending());
+  if (before) static_cast<void>(notes.KeepBefore(*before));
+  return begun;
+}
+
+}  // namespace
+
 // Without a note one is made, of no version: it is known that the other slot was written once, and not what is in it. A
-// half-written one does not start, and the next start is this system again. Without a note of the one before both slots hold what
-// the image was made with, which is as new as this.
+// half-written one does not start, and the next start is this system again.
 Outcome TryOther(ports::BootChoice& choice, Notes& notes, const Running& running) {
   const auto pending = notes.ReadPending();
   if (pending && pending->tries > 0) return {Message::kTriedOften, pending->version};
+  if (pending) return BeginTry(choice, notes, running.version);
   const auto before = notes.ReadBefore();
-  if (!pending && before && before->slot == ports::Other(choice.running()) && before->version < running.least)
-    return {Message::kBelowLeast, before->version};
-  if (!pending)
-    if (auto ok = notes.KeepPending({0, ports::Other(choice.running()), 0}); !ok)
-      return {Message::kDiskFault, 0, ok.error().message()};
-  Outcome begun = BeginTry(choice, notes, running.version);
-  if (!pending && begun.message != Message::kRestarts) static_cast<void>(notes.ForgetPending());
-  return begun;
+  if (IsBelowLeast(before, choice, running)) return {Message::kBelowLeast, before->version};
+  return BeginNoted(choice, notes, {0, ports::Other(choice.running()), 0}, running.version);
+}
+
+Outcome TryWhatIsThere(ports::BootChoice& choice, Notes& notes, const Running& running) {
+  if (notes.ReadPending()) return BeginTry(choice, notes, running.version);
+  const auto before = notes.ReadBefore();
+  if (!before || before->slot != ports::Other(choice.running())) return {Message::kNothingWaits};
+  if (IsBelowLeast(before, choice, running)) return {Message::kBelowLeast, before->version};
+  return BeginNoted(choice, notes, {before->version, before->slot, 0}, running.version);
 }
 
 bool LastingFault::Lasts(bool is_there, Time now) {

@@ -39,6 +39,10 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes, std::uint32_t version)
 // running system lets this box become, `running.least`.
 Outcome TryOther(ports::BootChoice& choice, Notes& notes, const Running& running);
 
+// The same for a person: what waits, or where nothing does the system from which the last update was tried, as long as its slot is not
+// written anew. kBelowLeast as of TryOther; kNothingWaits where there is neither.
+Outcome TryWhatIsThere(ports::BootChoice& choice, Notes& notes, const Running& running);
+
 // Tells a fault that lasts from one that comes and goes: a disk that is lost for a moment gives every show the same error, and
 // the stage reads one at its next try. Pure; one thread.
 class LastingFault {

@@ -96,7 +96,7 @@ class ServiceTest : public tests::PackTest {
   BoxSettings settings_{{.data = folder_, .zones = folder_ / "zones", .screens = folder_ / "screens"}};
   InstallService service_{
       {folder_ / "root-keys", folder_ / "settings/keys", folder_ / "report", folder_ / "plays",
-       (folder_ / "update").string(), folder_ / "pending"},
+       (folder_ / "update").string(), folder_ / "pending", folder_ / "before"},
       *shows_,
       board_,
       [this]() -> Result<std::optional<std::filesystem::path>> {

@@ -103,6 +103,18 @@ TEST_F(UpdateOnStick, WhoseProgramEndsIsToldOf) {
   EXPECT_THAT(Play(seconds(1)), HasSubstr("! the box's own disk cannot be written"));
 }
 
+TEST_F(UpdateOnStick, ThatWasKeptLeavesAWayBackToTheSystemBefore) {
+  plugged_ = false;
+  EXPECT_TRUE(WriteWholeFile(folder_ / "before", {AsBytes("11 A 0\n")}));
+  Play(seconds(1));
+  Strike(board::key::kPageUp);
+  EXPECT_THAT(Play(seconds(1)), HasSubstr("> 1. restart the box to go back to version 11"));
+  Strike(board::key::k1);
+  Play(seconds(1));
+  EXPECT_EQ(Asked(), "restart");
+  EXPECT_FALSE(file_.valid());
+}
+
 TEST_F(UpdateOnStick, ThatWaitsIsTriedByARestartWithoutTheStickAsWell) {
   plugged_ = false;
   EXPECT_TRUE(WriteWholeFile(folder_ / "pending", {AsBytes("12 B 0\n")}));

@@ -64,6 +64,10 @@ class SimulatedNotes final : public Notes {
     before = wanted;
     return {};
   }
+  Result<void> ForgetBefore() override {
+    before.reset();
+    return {};
+  }
   Result<void> Reserve() override {
     return no_room ? Result<void>(Fail(*no_room, "reserve room")) : Result<void>{};
   }

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "appliance/programs/update/service.h"
+#include "appliance/programs/update/trial.h"
 #include "drivers/base/packet_socket.h"
 #include "hw-sim/devices/boot_loader.h"
 #include "tests/appliance/programs/update_fixture.h"
@@ -99,6 +100,23 @@ TEST_F(UpdateServiceTest, BringsAnUpdateInAndRestartsWhenItIsAsked) {
   EXPECT_EQ(restarts_, 1);
   EXPECT_EQ(choice_.SwitchOn(), ports::Slot::kB);
   EXPECT_EQ(Ask(kInstall, BundleOf(7)).message, Message::kTrialRuns);
+}
+
+TEST_F(UpdateServiceTest, GoesBackToTheSystemBeforeUntilItsSlotIsWrittenAnew) {
+  ASSERT_EQ(Ask(kInstall, BundleOf(6)).message, Message::kWaits);
+  ASSERT_EQ(Ask(kRestart).message, Message::kRestarts);
+  choice_.SwitchOn();
+  ASSERT_TRUE(ConfirmTried(choice_, notes_));
+  const Answer back = Ask(kRestart);
+  EXPECT_EQ(back.message, Message::kRestarts);
+  EXPECT_EQ(back.version, 5U);
+  EXPECT_EQ(notes_.pending, (Pending{5, ports::Slot::kA, 1}));
+  EXPECT_EQ(choice_.SwitchOn(), ports::Slot::kA);
+  ASSERT_TRUE(ConfirmTried(choice_, notes_));
+  EXPECT_EQ(notes_.before->slot, ports::Slot::kB) << "and forward again";
+  auto caller = Caller::Ask(socket_, kInstall, File(BundleOf(6)).get());
+  for (int n = 0; n < 20 && notes_.before; ++n) Step();
+  EXPECT_EQ(notes_.before, std::nullopt) << "what was there is half written over";
 }
 
 TEST_F(UpdateServiceTest, GivesAnUpdateUpWhenWhoeverAskedIsGone) {

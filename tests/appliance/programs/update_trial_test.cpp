@@ -154,6 +154,20 @@ TEST_F(UpdateTrial, OfTheSystemBeforeIsNotMadeWhereItIsBelowTheLeast) {
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
 }
 
+TEST_F(UpdateTrial, OfTheSystemBeforeIsAPersonsWishAndBoundByTheLeastVersionToo) {
+  notes_.pending.reset();
+  EXPECT_EQ(TryWhatIsThere(choice_, notes_, Runs(6)).message, Message::kNothingWaits);
+  notes_.before = Pending{5, Slot::kB, 0};
+  EXPECT_EQ(TryWhatIsThere(choice_, notes_, Runs(6, 6)).message, Message::kBelowLeast);
+  choice_.ForgetVariables();
+  EXPECT_EQ(TryWhatIsThere(choice_, notes_, Runs(6, 5)).message, Message::kForgets);
+  EXPECT_EQ(notes_.pending, std::nullopt);
+  EXPECT_EQ(notes_.before, (Pending{5, Slot::kB, 0})) << "it can be wished again";
+  notes_.before = Pending{5, Slot::kA, 0};
+  EXPECT_EQ(TryWhatIsThere(choice_, notes_, Runs(6, 5)).message, Message::kNothingWaits)
+      << "it is the one that runs";
+}
+
 TEST_F(UpdateTrial, ThatIsKeptIsKeptAlsoWhereItsNoteCannotBeForgotten) {
   BeginTry(choice_, notes_, kVersion);
   choice_.SwitchOn();
