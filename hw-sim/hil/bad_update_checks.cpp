@@ -16,8 +16,9 @@ namespace {
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-// A trial gives a stage three minutes to show its face, after the start of an emulated machine.
-constexpr Duration kLongestGivingWay = kLongestUpdateStart + minutes(5);
+// A trial gives a stage three minutes to show its face, after the start of an emulated machine; where nobody looks, kaori-trial.timer ends
+// it eight minutes after that.
+constexpr Duration kLongestGivingWay = kLongestUpdateStart + minutes(10);
 // Until somebody switches a box off that shows nothing at all: some times as long as a start takes to its first program.
 constexpr Duration kUntilSwitchedOff = minutes(4);
 // A face is looked at for a minute before it is kept.
@@ -57,6 +58,8 @@ constexpr std::array kBadVersions{
                [](BadSlot& slot) { return slot.Begin("kaori-stage", kInvalidInstruction); }, "kaori-stage"},
     BadVersion{"a stage that hangs", [](BadSlot& slot) { return slot.Begin("kaori-stage", kTurnsForEver); },
                "kaori-stage"},
+    BadVersion{"a look that ends at once",
+               [](BadSlot& slot) { return slot.Begin("kaori-update", kEndsAtOnce); }, ""},
     BadVersion{"a black picture", [](BadSlot& slot) { return slot.Replace("kaori-stage", kLight, kNoLight); },
                kNotTheFace},
     BadVersion{.name = "a black picture on a box without a last face",

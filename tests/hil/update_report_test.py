@@ -7,7 +7,7 @@ CASES = [{"log_points": "1800", "log_points_wrong": "0", "good_slot_bytes_change
          {"altered": "200"}, {"altered": "200"}, {"bad_slots": "10", "bad_slots_kept": "0", "tries_to_return": "1"},
          *({"control_found": "1"} for _ in range(7))]
 SEEN = {"update_install_s": 300.0, "start_sectors_written": 0, "power_cycles": 20, "slot_flips": 0, "variable_cuts": 10,
-        "variable_cuts_dead": 0, "bad_versions_booted": 8, "data_cuts": 200, "data_cuts_wrong": 0, "data_cuts_deciding": 1, "boots_after_cut": 10, "boots_without_face": 0, "update_sectors_astray": 0,
+        "variable_cuts_dead": 0, "bad_versions_booted": 9, "data_cuts": 200, "data_cuts_wrong": 0, "data_cuts_deciding": 1, "boots_after_cut": 10, "boots_without_face": 0, "update_sectors_astray": 0,
         "face_rate_while_installing": 0.97, "added_packed_mb": 0.5, "sbom_files_unmatched": 0, "stale_packages": 0}
 
 
