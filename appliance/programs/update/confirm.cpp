@@ -69,7 +69,8 @@ class Looks {
                               kLongestAnswer);
     if (!log) return {log.error().message(), "カーネルのログを読めません"};
     if (auto fault = DiskFault(*log); !fault.empty()) return fault;
-    if (auto fault = frames_.Fault(NewestFlip(places_.board)); !fault.empty()) return fault;
+    if (auto fault = frames_.Fault(NewestFlip(places_.board), SteadyClock().now()); !fault.empty())
+      return fault;
     std::error_code none;
     const auto made = fs::last_write_time(places_.picture, none);
     if (none || std::exchange(made_, made) == made)

@@ -95,8 +95,9 @@ Reason PictureFault(std::string_view shown, const std::vector<std::string_view>&
           fmt::format("画面が顔と違います（255のうち{:.0f}の差）", nearest)};
 }
 
-Reason ShownFrames::Fault(Time flipped_at) {
-  if (flipped_at > std::exchange(before_, flipped_at)) return {};
+Reason ShownFrames::Fault(Time flipped_at, Time now) {
+  if (flipped_at > std::exchange(flipped_at_, flipped_at)) changed_at_ = now;
+  if (changed_at_ != Time{} && now - changed_at_ < kLongestStill) return {};
   return {"the screen takes no new frames", "画面が更新されていません"};
 }
 

@@ -27,11 +27,15 @@ enum class Restarts : std::uint8_t { kAreFaults, kAreNone };
 // picture would stay that of the face. One thread.
 class ShownFrames {
  public:
+  // A machine whose processor draws for others too may take seconds for a frame.
+  static constexpr Duration kLongestStill = std::chrono::seconds(20);
+
   // `flipped_at` is when the newest frame came onto the screen, as the stage has it on the board; the clock's beginning where none did.
-  Reason Fault(Time flipped_at);
+  Reason Fault(Time flipped_at, Time now);
 
  private:
-  Time before_{};
+  Time flipped_at_{};
+  Time changed_at_{};  // The clock's beginning, where none came yet.
 };
 
 // What `systemctl show --property=Id,ActiveState,NRestarts` says of so many units: each has to run, and none was started anew.
