@@ -255,14 +255,16 @@ TEST(UpdateLooks, FindABlackPictureAnotherFaceAndNone) {
 TEST(UpdateLooks, FindAScreenThatTakesNoNewFrames) {
   const Time began = ManualClock().now();
   ShownFrames never;
-  EXPECT_EQ(never.Fault(Time{}).english, "the screen takes no new frames")
+  EXPECT_EQ(never.Fault(Time{}, began).english, "the screen takes no new frames")
       << "none came since the machine started";
   ShownFrames frames;
-  EXPECT_TRUE(frames.Fault(began).empty());
-  EXPECT_TRUE(frames.Fault(began + seconds(5)).empty());
-  EXPECT_FALSE(frames.Fault(began + seconds(5)).empty()) << "the stage goes on to draw without a screen";
-  EXPECT_FALSE(frames.Fault(began + seconds(5)).empty());
-  EXPECT_TRUE(frames.Fault(began + seconds(19)).empty()) << "it is plugged in again";
+  EXPECT_TRUE(frames.Fault(began, began).empty());
+  EXPECT_TRUE(frames.Fault(began + seconds(5), began + seconds(5)).empty());
+  EXPECT_TRUE(frames.Fault(began + seconds(5), began + seconds(24)).empty()) << "a frame may take long";
+  EXPECT_FALSE(frames.Fault(began + seconds(5), began + seconds(25)).empty())
+      << "the stage goes on to draw without a screen";
+  EXPECT_FALSE(frames.Fault(began + seconds(5), began + seconds(60)).empty());
+  EXPECT_TRUE(frames.Fault(began + seconds(65), began + seconds(65)).empty()) << "it is plugged in again";
 }
 
 TEST(UpdateLooks, FindAProgramThatDoesNotRunOrWasStartedAnew) {
