@@ -1,13 +1,11 @@
 #include "hw-sim/hil/updated_pc.h"
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include "drivers/base/read_file.h"
-#include "firmware/wire/bytes.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/process.h"
@@ -113,20 +111,6 @@ Result<DiskSpan> UpdatedPc::DecidingSector() const {
   return LetterAt().map([](std::uint64_t at) {
     return DiskSpan{at / kSector_bytes * kSector_bytes, kSector_bytes};
   });
-}
-
-// Microsoft's FAT specification 1.03: sectors before the first table, tables, and sectors of each, of FAT16 or of FAT32.
-Result<DiskSpan> UpdatedPc::FatTables() const {
-  const auto start = PartitionStart_bytes(Disk(), "boot");
-  if (!start) return tl::unexpected(start.error());
-  std::array<std::uint8_t, kSector_bytes> head{};
-  std::ifstream file(Disk(), std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(*start));
-  file.read(reinterpret_cast<char*>(head.data()), head.size());
-  if (!file || wire::GetU16(head, 510) != 0xAA55 || wire::GetU16(head, 11) != kSector_bytes)
-    return FailInput(Disk() + " has no FAT to start from");
-  const std::uint64_t each = wire::GetU16(head, 22) != 0 ? wire::GetU16(head, 22) : wire::GetU32(head, 36);
-  return DiskSpan{*start, (wire::GetU16(head, 14) + head[16] * each) * kSector_bytes};
 }
 
 char UpdatedPc::Default() const {

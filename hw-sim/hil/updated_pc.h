@@ -42,9 +42,6 @@ class UpdatedPc {
   // The sector that has this slot's name in loader.conf: one write into it is all that a confirmation is. Errors: invalid_argument,
   // there is no such line.
   Result<DiskSpan> DecidingSector() const;
-  // What the boot partition has before its files: its head and its tables, which tell where files lie. Errors: those of the
-  // file; invalid_argument, it is no FAT.
-  Result<DiskSpan> FatTables() const;
   // Has loader.conf name this slot, as whoever confirms it does. Errors: invalid_argument, there is no such line.
   Result<void> NameDefault(char slot) const;
   // A file of the data partition as a start would find it: of a copy, whose journal is played. The machine may be writing

@@ -24,7 +24,7 @@ with it cuts of the power count that were 25 times as many, and altered updates 
                                       file of it neither as before nor as after
   data_cuts_deciding                  of those cuts, between two states of what is kept
   boots_after_cut, boots_without_face cuts behind a write of a whole update in a PC with UEFI, and those after which no face came
-  update_sectors_astray               that it wrote beside the data, the other slot and the boot partition's files
+  update_sectors_astray               that it wrote beside the data, the other slot with its kernel's file, and loader.conf's sector
   face_rate_while_installing          frames a second while an update comes in, over those before
   added_packed_mb                     of a download, which is there for updates alone: their program, units and keys
   bundle_mb, install_s                an update's size, and how long it takes to bring one in on an emulated machine
