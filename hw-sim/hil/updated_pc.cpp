@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "drivers/base/read_file.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/process.h"
@@ -125,7 +124,7 @@ Result<void> UpdatedPc::NameDefault(char slot) const {
   return WritePart(Disk(), *at, {&slot, 1});
 }
 
-std::string UpdatedPc::Kept(const std::string& name) const {
+std::string UpdatedPc::Kept(const std::string& name, std::size_t most_bytes) const {
   const std::string data = folder_ + "/data.ext4", log = folder_ + "/debugfs.log";
   const auto span = PartitionSpan(Disk(), "data");
   if (!span) return {};
@@ -134,7 +133,7 @@ std::string UpdatedPc::Kept(const std::string& name) const {
   if (!copied || !RunToEnd({"debugfs", "-w", "-R", "journal_run", data}, log)) return {};
   std::filesystem::remove(folder_ + "/kept");
   static_cast<void>(RunToEnd({"debugfs", "-R", "dump " + name + " " + folder_ + "/kept", data}, log));
-  return ReadFile(folder_ + "/kept").value_or("");
+  return ReadFile(folder_ + "/kept", {.most_bytes = most_bytes}).value_or("");
 }
 
 // debugfs ends well whatever its commands come to, and what it could not remove is still there.

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "drivers/base/read_file.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/write_log.h"
 
@@ -45,8 +46,8 @@ class UpdatedPc {
   // Has loader.conf name this slot, as whoever confirms it does. Errors: invalid_argument, there is no such line.
   Result<void> NameDefault(char slot) const;
   // A file of the data partition as a start would find it: of a copy, whose journal is played. The machine may be writing
-  // meanwhile: a copy that was caught in the middle gives another answer at the next look.
-  std::string Kept(const std::string& name) const;
+  // meanwhile: a copy that was caught in the middle gives another answer at the next look. Nothing where it has more than `most_bytes`.
+  std::string Kept(const std::string& name, std::size_t most_bytes = ReadLimits{}.most_bytes) const;
   // Removes such a file while the machine is off. Errors: invalid_argument, there is none; those of debugfs.
   Result<void> Remove(const std::string& name) const;
   // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first
