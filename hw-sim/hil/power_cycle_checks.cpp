@@ -8,6 +8,7 @@
 
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/power_cuts.h"
 #include "hw-sim/hil/updated_pc.h"
 #include "hw-sim/hil/write_log.h"
 
@@ -20,8 +21,6 @@ constexpr int kIntoMending = 4;
 // From the firmware's first moment to some frames of the show: so long on a quiet bench, and so many times the first whole start on
 // a busy one.
 constexpr double kLongestCycle_s = 15, kLongestCycle_starts = 1.2;
-// How long no face may come where none is to come.
-constexpr Duration kNoFace = std::chrono::seconds(60);
 
 // What a start wrote to its disk.
 struct WrittenByStart {
@@ -50,14 +49,6 @@ Result<void> WantNothingBesideData(const UpdatedPc& pc) {
   return FailInput(fmt::format("a start writes {} sectors beside the data", written->sectors_beside_data));
 }
 
-// Whoever looks for a face is given a PC that was switched on with these variables; it is off again afterwards.
-Result<void> WantFaceOf(Scene& scene, const UpdatedPc& pc, const char* when, Duration longest) {
-  auto ok = pc.Start(scene);
-  if (ok) ok = AwaitUpdateFace(scene, when, longest);
-  scene.target.machine().Off();
-  return ok;
-}
-
 // The first start of a PC, in which the firmware lays out what it keeps: no other writes so much of it.
 Result<void> StartWhole(Scene& scene, const UpdatedPc& pc, const char* check) {
   const Time began = scene.target.clock().now();
@@ -73,8 +64,7 @@ Result<void> StartWhole(Scene& scene, const UpdatedPc& pc, const char* check) {
   return WantNothingBesideData(pc);
 }
 
-// Cuts after so many writes of the first start's firmware, each of them a few bytes of its flash. Half of the points
-// are evenly spread, so that each phase has one, and the others lie where chance has them.
+// Cuts after so many writes of the first start's firmware, each of them a few bytes of its flash.
 Result<void> CutVariables(Scene& scene, const UpdatedPc& pc) {
   const std::string noted = pc.VariablesLog() + ".first";
   std::filesystem::rename(pc.VariablesLog(), noted);
@@ -86,9 +76,7 @@ Result<void> CutVariables(Scene& scene, const UpdatedPc& pc) {
   figures["variable_writes"] = static_cast<double>(writes);
   const int cuts = kVariableCuts * scene.Effort();
   for (int n = 0; n < cuts; ++n) {
-    const std::size_t even = writes * static_cast<std::size_t>(n + 1) / static_cast<std::size_t>(cuts + 1);
-    const std::size_t until =
-        n % 2 == 0 ? even : std::uniform_int_distribution<std::size_t>(1, writes)(scene.chance);
+    const std::size_t until = CutPoint(scene, 0, writes, n, cuts);
     auto ok = pc.ForgetVariables();
     if (ok) ok = log->Replay(0, until, pc.Variables());
     if (!ok) return ok;
@@ -168,19 +156,6 @@ Result<void> PowerCycles(Scene& scene) {
       "same slot starts, and {:.0f} times it was awaited to its face",
       figures["power_cycles"], figures["power_cycles_with_writes"], figures["power_cycles_with_face"]);
   return ok;
-}
-
-// The control of both: a PC whose loader names another slot is seen, and so is one that comes to no face.
-Result<void> ASpoiltSlotIsSeen(Scene& scene) {
-  const auto pc = UpdatedPc::Make(scene);
-  if (!pc) return tl::unexpected(pc.error());
-  if (auto ok = pc->SpoilSlotB(); !ok) return ok;
-  if (auto ok = pc->NameDefault('b'); !ok) return ok;
-  if (pc->Default() != 'b') return FailInput("another default is not seen");
-  if (auto ok = pc->Start(scene); !ok) return ok;
-  const auto seen = AwaitUpdateFace(scene, "of a spoilt slot", kNoFace);
-  scene.target.machine().Off();
-  return seen ? FailInput("a spoilt slot shows its face") : Result<void>{};
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::optional<UpdatedPc> UpdatedPc::Restarted(Scene& scene) {
   std::error_code none;
   std::filesystem::remove_all(pc.folder_, none);
   std::filesystem::create_directories(pc.folder_, none);
-  for (const std::string& file : {pc.Disk(), pc.Variables()}) {
+  for (const std::string& file : {pc.Disk(), pc.Variables(), pc.VariablesLog()}) {
     const std::string kept = folder + kRestartedPc + "/" + std::filesystem::path(file).filename().string();
     if (!std::filesystem::exists(kept) || !CopySparse(kept, pc.folder_, pc.folder_ + "/cp.log"))
       return std::nullopt;
@@ -64,13 +64,13 @@ std::optional<UpdatedPc> UpdatedPc::Restarted(Scene& scene) {
   return pc;
 }
 
-// All or nothing: a disk without its variables is another PC.
+// All or nothing: a disk without its variables is another PC. The log tells how the firmware came to keep them.
 void UpdatedPc::KeepRestarted(Scene& scene) const {
   const std::string kept = scene.target.machine().options().folder + kRestartedPc;
   std::error_code none;
   std::filesystem::remove_all(kept, none);
   std::filesystem::create_directories(kept, none);
-  for (const std::string& file : {Disk(), Variables()})
+  for (const std::string& file : {Disk(), Variables(), VariablesLog()})
     if (!CopySparse(file, kept, folder_ + "/cp.log")) std::filesystem::remove_all(kept, none);
 }
 

@@ -22,7 +22,8 @@ class UpdatedPc {
   // no_such_file_or_directory, OVMF is not installed.
   static Result<UpdatedPc> Make(Scene& scene);
   // The one that an update waits in and that was restarted to try it, as it stood then: bringing it in once more would
-  // take as long again. A copy, which may be tried in any way. Nothing where none was kept.
+  // take as long again. A copy, which may be tried in any way, with the VariablesLog of the start in which it was brought in. Nothing where
+  // none was kept.
   static std::optional<UpdatedPc> Restarted(Scene& scene);
   // Keeps it so. Where it cannot be kept whoever wants it brings the update in anew.
   void KeepRestarted(Scene& scene) const;
