@@ -185,6 +185,8 @@ std::vector<Check> SecureBootChecks();
 std::vector<Check> UpdateChecks();
 // Updates to bad versions, which start all the same.
 std::vector<Check> BadUpdateChecks();
+// The power goes while the firmware keeps which slot is to be tried.
+std::vector<Check> TryCutChecks();
 // The power goes at any moment, in a PC with UEFI.
 std::vector<Check> PowerCycleChecks();
 // What a program leaves that crashes.

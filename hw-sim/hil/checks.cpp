@@ -117,8 +117,8 @@ std::vector<Check> AllChecks() {
                      LastFaceChecks(),   StormChecks(),         RecoveryChecks(),    PowerChecks(),
                      StickChecks(),      GivesWayChecks(),      BackupChecks(),      DeskChecks(),
                      DataChecks(),       ResetChecks(),         StartChecks(),       DiskChecks(),
-                     SecureBootChecks(), UpdateChecks(),        BadUpdateChecks(),   PowerCycleChecks(),
-                     SpoiltFileChecks(), MediumChecks()})
+                     SecureBootChecks(), UpdateChecks(),        BadUpdateChecks(),   TryCutChecks(),
+                     PowerCycleChecks(), SpoiltFileChecks(),    MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -22,6 +22,7 @@ nlohmann::json ToJson(const ReportedCheck& check) {
   return {{"name", check.name},
           {"sentence", check.sentence},
           {"passed", found.verdict == Verdict::kPassed},
+          {"skipped", found.verdict == Verdict::kSkipped},
           {"said", found.said},
           {"pictures", std::move(pictures)},
           {"figures", found.figures},
@@ -51,7 +52,8 @@ Result<void> KeepReport(const Report& report, const std::vector<ReportedCheck>& 
   for (const ReportedCheck& check : before)
     if (std::ranges::find(report.checks, check.name, &ReportedCheck::name) == report.checks.end())
       checks.push_back(ToJson(check));
-  const nlohmann::json kept{{"trial", trial}, {"checks", std::move(checks)}};
+  const nlohmann::json kept{
+      {"trial", trial}, {"files", report.files}, {"wanted", report.wanted}, {"checks", std::move(checks)}};
   // What a tool said may be no UTF-8.
   const std::string text = kept.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   return WriteWholeFile(folder + kKeptReport, {AsBytes(text)});

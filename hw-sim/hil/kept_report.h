@@ -10,8 +10,9 @@
 namespace kaori::hil {
 
 // Writes report.json into the folder, as a whole: what was found, and of which trial. `trial` says all that a finding depends on: the
-// image, the bench's own program, how often was tried what all checks try; the effort is kept with those that asked for it. What has passed `before` and was not come to yet stays kept. Pictures and texts
-// are in files of the report and are only named. Errors: those of the file.
+// image, the bench's own program, how often was tried what all checks try; the effort is kept with those that asked for it. What has
+// passed `before` and was not come to yet stays kept. By the image's files and the number of checks that are wanted rootfs/image/tested.py
+// tells whether an update may be made. Pictures and texts are in files of the report and are only named. Errors: those of the file.
 Result<void> KeepReport(const Report& report, const std::vector<ReportedCheck>& before,
                         const std::string& trial, const std::string& folder);
 

@@ -19,6 +19,7 @@
 #include "hw-sim/hil/boot_command.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/check_runner.h"
+#include "hw-sim/hil/image_files.h"
 #include "hw-sim/hil/kept_report.h"
 #include "hw-sim/hil/report.h"
 
@@ -107,15 +108,17 @@ std::string RootHash(const std::string& image) {
 }
 
 // All that a finding depends on but the effort: the image, this program and the agent that was built with it, and how much is tried.
-std::string TrialOf(const Settings& settings, const std::string& root_hash) {
+std::string TrialOf(const Settings& settings, const kaori::hil::Report& report) {
   const std::filesystem::path bench = std::filesystem::read_symlink("/proc/self/exe");
   std::uint64_t sum = kaori::kFnvBasis;
   for (const std::string file : {bench, bench.parent_path() / "kaori-hil-agent"})
     if (const auto bytes = kaori::ReadFile(file, {.most_bytes = std::size_t{1} << 30U}))
       sum = kaori::Fnv1a(*bytes, sum);
-  return fmt::format("image {}, bench {:016x}, {} scenes, {} replugs, seed {}{}{}", root_hash, sum,
-                     settings.scenes, settings.replugs, settings.seed, settings.controls ? ", controls" : "",
-                     settings.box_draws ? ", the box draws" : "");
+  std::uint64_t files = kaori::kFnvBasis;
+  for (const auto& [name, hash] : report.files) files = kaori::Fnv1a(hash, kaori::Fnv1a(name, files));
+  return fmt::format("image {}, files {:016x}, bench {:016x}, {} scenes, {} replugs, seed {}{}{}",
+                     report.root_hash, files, sum, settings.scenes, settings.replugs, settings.seed,
+                     settings.controls ? ", controls" : "", settings.box_draws ? ", the box draws" : "");
 }
 
 // For sockets, whose paths have 108 bytes at most (unix(7)): the report's folder may lie too deep.
@@ -192,11 +195,16 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
        .seed = static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10)),
        .controls = settings.controls},
       **target);
-  kaori::hil::Report report{.image = settings.image, .root_hash = RootHash(settings.image), .checks = {}};
-  const std::string trial = TrialOf(settings, report.root_hash);
+  const auto checks = WantedChecks(settings);
+  kaori::hil::Report report{.image = settings.image,
+                            .root_hash = RootHash(settings.image),
+                            .files = kaori::hil::UpdateFileHashes(settings.image, sockets + "/sha256sum.log"),
+                            .wanted = checks.size(),
+                            .checks = {}};
+  const std::string trial = TrialOf(settings, report);
   const auto kept = settings.go_on ? kaori::hil::KeptPasses(trial, effort, settings.report)
                                    : std::vector<kaori::hil::ReportedCheck>();
-  for (const auto& check : WantedChecks(settings)) {
+  for (const auto& check : checks) {
     const auto passed = std::ranges::find(kept, check.name, &kaori::hil::ReportedCheck::name);
     report.checks.push_back(passed != kept.end() ? *passed : runner.Run(check));
     Tell(report.checks.back(), passed != kept.end());

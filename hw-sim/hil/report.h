@@ -1,6 +1,8 @@
 // The report of a bench: JUnit for machines, a page with pictures for people, figures for who compares.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,10 @@ struct Report {
   std::string image;
   // Of its root; empty where it is not known.
   std::string root_hash;
+  // As UpdateFileHashes gives them: an update is made of what was tried.
+  std::map<std::string, std::string> files{};
+  // How many checks the run is to have when it has come to its end.
+  std::size_t wanted = 0;
   // From power to the first frames of the first box; 0 where none played.
   double boot_s = 0;
   // In the order in which they were run.

@@ -21,9 +21,12 @@ using std::chrono::seconds;
 const Setup kStormSetup{.plugged = false, .sound = false, .width_px = 480, .height_px = 270};
 // The stage may be starting, which takes all that an emulated machine has.
 constexpr Duration kStormAnswer = seconds(120);
-// Of the stage, one after the other.
+// Of the stage, one after the other, each as soon as the machine has a new one: there is no pause that could be shorter.
 constexpr std::size_t kKills = 30;
-// For each part: a stage of an emulated machine takes up to a minute.
+// The goal is ten seconds. One and the same emulated machine took 11 of them in one run and 31 in another; a bench with busy neighbours
+// gets three times as long.
+constexpr Duration kLongestBurst = seconds(90);
+// For each other part: a stage of an emulated machine takes up to a minute.
 constexpr Duration kLongestStorm = seconds(300);
 constexpr std::array kAllPrograms{"kaori-stage", "kaori-fdkeeper", "kaori-input", "kaori-lips"};
 // In the folder of the stage's own files: the last face and the show log are written beside it.
@@ -50,10 +53,11 @@ Result<std::int64_t> Now(Scene& scene) {
 
 // Each new stage is killed as soon as its process is there: few of them live long enough to draw.
 Result<void> KillAgainAndAgain(Scene& scene, HeldPicture& held) {
-  const Time began = scene.target.clock().now(), until = began + kLongestStorm;
+  const Time began = scene.target.clock().now(), until = began + kLongestBurst;
   for (std::set<std::string> killed; killed.size() < kKills;) {
     if (scene.target.clock().now() > until)
-      return FailInput(fmt::format("the stage came back {} times only", killed.size()));
+      return FailInput(fmt::format("the stage came back {} times only in {:.0f} s", killed.size(),
+                                   Seconds(kLongestBurst)));
     if (const std::string now = TextInBox(scene, "processes kaori-stage");
         !now.empty() && !killed.contains(now)) {
       if (auto ok = scene.Tell("signal kaori-stage 9"); !ok) return ok;
@@ -61,7 +65,9 @@ Result<void> KillAgainAndAgain(Scene& scene, HeldPicture& held) {
     }
     if (auto ok = held.Look(scene); !ok) return ok;
   }
-  scene.finding.figures["storm_kills_s"] = Seconds(scene.target.clock().now() - began);
+  const double took_s = Seconds(scene.target.clock().now() - began);
+  scene.finding.figures["storm_kills_s"] = took_s;
+  scene.finding.figures["storm_kills_per_10_s"] = kKills * 10 / took_s;
   const auto now = Now(scene);
   return now ? AwaitStage(scene, held, *now) : tl::unexpected(now.error());
 }
@@ -103,11 +109,10 @@ Result<void> Storm(Scene& scene) {
   scene.finding.figures["storm_pictures"] = held->pictures;
   scene.finding.figures["storm_pictures_wrong"] = held->wrong;
   scene.finding.said = fmt::format(
-      "the stage was killed {} times in {:.0f} s, then all programs at once, then all of them with a full "
-      "data partition: {} pictures, "
-      "{} wrong; largest difference {:.3f} of {}",
-      kKills, scene.finding.figures["storm_kills_s"], held->pictures, held->wrong, held->largest,
-      HeldPicture::kMovedByItself);
+      "the stage was killed {} times in {:.0f} s ({:.0f} in 10 s), then all programs at once, then all of "
+      "them with a full data partition: {} pictures, {} wrong; largest difference {:.3f} of {}",
+      kKills, scene.finding.figures["storm_kills_s"], scene.finding.figures["storm_kills_per_10_s"],
+      held->pictures, held->wrong, held->largest, HeldPicture::kMovedByItself);
   return held->wrong == 0 ? Result<void>{} : FailInput(scene.finding.said);
 }
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "drivers/base/read_file.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/data_cuts.h"
 #include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/slot_b.h"
 #include "hw-sim/hil/update_history.h"
 #include "hw-sim/hil/update_scene.h"
 #include "hw-sim/hil/updated_pc.h"
@@ -22,8 +22,6 @@ using std::chrono::seconds;
 
 // The trial itself takes one to three minutes of the machine, whose clock is the host's.
 constexpr Duration kLongestTrial = minutes(6);
-// Of a root or its hash tree: a partition has 384 MiB.
-constexpr std::size_t kMostOfSlot_bytes = std::size_t{384} << 20U;
 // For each unit of Scene::Effort.
 constexpr int kUpdateCuts = 10, kDataCuts = 200;
 // Of a disk that lies, until one is found wrong.
@@ -43,18 +41,15 @@ Result<std::vector<DiskSpan>> Spans(const std::string& disk, std::initializer_li
   return spans;
 }
 
-// Where an update may write: beside it, the disk has what must start after any cut.
-Result<void> WantNothingAstray(Scene& scene, const UpdateHistory& history, const UpdatedPc& pc) {
-  const auto allowed = Spans(pc.Disk(), {"data", "root-b", "verity-b", "boot"});
+// Beside these places the disk has what must start after any cut. They are taken of the disk as all began: an update that moves a file
+// in the tables writes into these.
+Result<void> WantNothingAstray(Scene& scene, const UpdateHistory& history) {
+  const auto allowed = PlacesOfAnUpdate(history.Disk());
   if (!allowed) return tl::unexpected(allowed.error());
-  const auto tables = pc.FatTables();
-  if (!tables) return tl::unexpected(tables.error());
   const std::uint64_t astray = history.SectorsOutside(*allowed);
   scene.finding.figures["update_sectors_astray"] = static_cast<double>(astray);
-  if (astray > 0) return FailInput(fmt::format("an update writes {} sectors where it must not", astray));
-  if (history.FirstInto(*tables) < history.entries())
-    return FailInput("an update writes into the tables of the boot partition");
-  return {};
+  return astray == 0 ? Result<void>{}
+                     : FailInput(fmt::format("an update writes {} sectors where it must not", astray));
 }
 
 // The one write that decides comes when all of the new slot is safe, and nothing of that slot is written afterwards.
@@ -63,23 +58,6 @@ Result<void> WantOneDecision(const UpdateHistory& history, const UpdatedPc& pc, 
   if (!slot) return tl::unexpected(slot.error());
   const std::string fault = DecisionFault(history.Writes(), *slot, deciding);
   return fault.empty() ? Result<void>{} : FailInput("of an update: " + fault);
-}
-
-// The slot has what the image was made of, byte by byte, on the disk as the cut left it: an update of the same system.
-Result<void> WantWholeSlotB(const std::string& disk, const std::string& image) {
-  for (const auto& [name, file] :
-       {std::pair{"root-b", "/root.erofs"}, std::pair{"verity-b", "/root.verity"}}) {
-    const auto wanted = ReadFile(image + file, {.most_bytes = kMostOfSlot_bytes});
-    auto span = PartitionSpan(disk, name);
-    if (!wanted) return tl::unexpected(wanted.error());
-    if (!span) return tl::unexpected(span.error());
-    span->bytes = wanted->size();
-    const auto there = ReadPart(disk, *span);
-    if (!there) return tl::unexpected(there.error());
-    if (*there != *wanted)
-      return FailInput(fmt::format("{} is not whole when the update is confirmed", name));
-  }
-  return {};
 }
 
 // Right before and after the one write that changes which slot starts; of the others half are evenly spread, and half lie where chance has
@@ -97,7 +75,7 @@ std::vector<std::size_t> CutPoints(Scene& scene, std::size_t entries, std::size_
 
 // The power went after some of the writes of the update, and a face comes: of the slot before, until the one write that decides.
 Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc) {
-  if (auto ok = WantNothingAstray(scene, history, pc); !ok) return ok;
+  if (auto ok = WantNothingAstray(scene, history); !ok) return ok;
   const auto decision = pc.DecidingSector();
   if (!decision) return tl::unexpected(decision.error());
   const std::size_t decides = history.FirstInto(*decision);
@@ -107,6 +85,7 @@ Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc
   figures["boots_without_face"] = 0;
   for (const std::size_t point : CutPoints(scene, history.entries(), decides)) {
     if (auto ok = history.CutAfter(point, pc); !ok) return ok;
+    // The update is one of the same system.
     if (point == decides)
       if (auto ok = WantWholeSlotB(pc.Disk(), scene.target.machine().options().image); !ok) return ok;
     const char named = pc.Default(), wanted = point <= decides ? 'a' : 'b';

@@ -1,13 +1,10 @@
 #include "hw-sim/hil/updated_pc.h"
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
 
-#include "drivers/base/read_file.h"
-#include "firmware/wire/bytes.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/process.h"
@@ -59,7 +56,7 @@ std::optional<UpdatedPc> UpdatedPc::Restarted(Scene& scene) {
   std::error_code none;
   std::filesystem::remove_all(pc.folder_, none);
   std::filesystem::create_directories(pc.folder_, none);
-  for (const std::string& file : {pc.Disk(), pc.Variables()}) {
+  for (const std::string& file : {pc.Disk(), pc.Variables(), pc.VariablesLog()}) {
     const std::string kept = folder + kRestartedPc + "/" + std::filesystem::path(file).filename().string();
     if (!std::filesystem::exists(kept) || !CopySparse(kept, pc.folder_, pc.folder_ + "/cp.log"))
       return std::nullopt;
@@ -67,13 +64,13 @@ std::optional<UpdatedPc> UpdatedPc::Restarted(Scene& scene) {
   return pc;
 }
 
-// All or nothing: a disk without its variables is another PC.
+// All or nothing: a disk without its variables is another PC. The log tells how the firmware came to keep them.
 void UpdatedPc::KeepRestarted(Scene& scene) const {
   const std::string kept = scene.target.machine().options().folder + kRestartedPc;
   std::error_code none;
   std::filesystem::remove_all(kept, none);
   std::filesystem::create_directories(kept, none);
-  for (const std::string& file : {Disk(), Variables()})
+  for (const std::string& file : {Disk(), Variables(), VariablesLog()})
     if (!CopySparse(file, kept, folder_ + "/cp.log")) std::filesystem::remove_all(kept, none);
 }
 
@@ -115,20 +112,6 @@ Result<DiskSpan> UpdatedPc::DecidingSector() const {
   });
 }
 
-// Microsoft's FAT specification 1.03: sectors before the first table, tables, and sectors of each, of FAT16 or of FAT32.
-Result<DiskSpan> UpdatedPc::FatTables() const {
-  const auto start = PartitionStart_bytes(Disk(), "boot");
-  if (!start) return tl::unexpected(start.error());
-  std::array<std::uint8_t, kSector_bytes> head{};
-  std::ifstream file(Disk(), std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(*start));
-  file.read(reinterpret_cast<char*>(head.data()), head.size());
-  if (!file || wire::GetU16(head, 510) != 0xAA55 || wire::GetU16(head, 11) != kSector_bytes)
-    return FailInput(Disk() + " has no FAT to start from");
-  const std::uint64_t each = wire::GetU16(head, 22) != 0 ? wire::GetU16(head, 22) : wire::GetU32(head, 36);
-  return DiskSpan{*start, (wire::GetU16(head, 14) + head[16] * each) * kSector_bytes};
-}
-
 char UpdatedPc::Default() const {
   const auto at = LetterAt();
   std::ifstream file(Disk(), std::ios::binary);
@@ -141,7 +124,7 @@ Result<void> UpdatedPc::NameDefault(char slot) const {
   return WritePart(Disk(), *at, {&slot, 1});
 }
 
-std::string UpdatedPc::Kept(const std::string& name) const {
+std::string UpdatedPc::Kept(const std::string& name, std::size_t most_bytes) const {
   const std::string data = folder_ + "/data.ext4", log = folder_ + "/debugfs.log";
   const auto span = PartitionSpan(Disk(), "data");
   if (!span) return {};
@@ -150,7 +133,7 @@ std::string UpdatedPc::Kept(const std::string& name) const {
   if (!copied || !RunToEnd({"debugfs", "-w", "-R", "journal_run", data}, log)) return {};
   std::filesystem::remove(folder_ + "/kept");
   static_cast<void>(RunToEnd({"debugfs", "-R", "dump " + name + " " + folder_ + "/kept", data}, log));
-  return ReadFile(folder_ + "/kept").value_or("");
+  return ReadFile(folder_ + "/kept", {.most_bytes = most_bytes}).value_or("");
 }
 
 // debugfs ends well whatever its commands come to, and what it could not remove is still there.

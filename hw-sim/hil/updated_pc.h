@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "drivers/base/read_file.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/write_log.h"
 
@@ -21,7 +22,8 @@ class UpdatedPc {
   // no_such_file_or_directory, OVMF is not installed.
   static Result<UpdatedPc> Make(Scene& scene);
   // The one that an update waits in and that was restarted to try it, as it stood then: bringing it in once more would
-  // take as long again. A copy, which may be tried in any way. Nothing where none was kept.
+  // take as long again. A copy, which may be tried in any way, with the VariablesLog of the start in which it was brought in. Nothing where
+  // none was kept.
   static std::optional<UpdatedPc> Restarted(Scene& scene);
   // Keeps it so. Where it cannot be kept whoever wants it brings the update in anew.
   void KeepRestarted(Scene& scene) const;
@@ -42,14 +44,11 @@ class UpdatedPc {
   // The sector that has this slot's name in loader.conf: one write into it is all that a confirmation is. Errors: invalid_argument,
   // there is no such line.
   Result<DiskSpan> DecidingSector() const;
-  // What the boot partition has before its files: its head and its tables, which tell where files lie. Errors: those of the
-  // file; invalid_argument, it is no FAT.
-  Result<DiskSpan> FatTables() const;
   // Has loader.conf name this slot, as whoever confirms it does. Errors: invalid_argument, there is no such line.
   Result<void> NameDefault(char slot) const;
   // A file of the data partition as a start would find it: of a copy, whose journal is played. The machine may be writing
-  // meanwhile: a copy that was caught in the middle gives another answer at the next look.
-  std::string Kept(const std::string& name) const;
+  // meanwhile: a copy that was caught in the middle gives another answer at the next look. Nothing where it has more than `most_bytes`.
+  std::string Kept(const std::string& name, std::size_t most_bytes = ReadLimits{}.most_bytes) const;
   // Removes such a file while the machine is off. Errors: invalid_argument, there is none; those of debugfs.
   Result<void> Remove(const std::string& name) const;
   // As a worn disk does it after the slot was written and read back well: one bit of the superblock, which is the first

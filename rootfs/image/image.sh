@@ -57,10 +57,11 @@ make_update_keys() {
   done
 }
 
-# An update of the box, of an image that was built: for a stick.
+# An update of the box, of an image that was built and tested: for a stick.
 bundle() {
-  local image=out/image key=$UPDATE_KEYS-1.key news='' from='' to='' version
+  local image=out/image key=$UPDATE_KEYS-1.key news='' from='' to='' version untested='' tested
   while [ $# -gt 0 ]; do
+    if [ "$1" = --untested ]; then untested=yes; shift; continue; fi
     [[ $1 =~ ^--(image|key|news|from|to)$ ]] || fail "bundle knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     case $1 in
@@ -73,7 +74,12 @@ bundle() {
   [ -f "$key" ] || fail "there is no key $key, which signs; ./box image makes one and has the box trust it"
   grep -qrsF "$(cat "$key.pub")" "$image/root/usr/share/kaori/update-keys" ||
     fail "the image in $image does not trust the key $key: a box that had it would take no update any more"
-  need "${BUILD_PACKAGES[@]}"
+  need "${BUILD_PACKAGES[@]}" python3
+  if [ -z "$untested" ]; then
+    tested=$(rootfs/image/tested.py "$image" out/bench/report.json out/bench-arm64/report.json) ||
+      fail "$tested; no update is made of it but with --untested"
+    say "$tested"
+  fi
   build release kaori-bundle
   version=$(sed -n 's/^version //p' "$image/root/usr/share/kaori/version")
   say "packing the update as small as it can be (minutes)"

@@ -19,12 +19,13 @@ with it cuts of the power count that were 25 times as many, and altered updates 
   start_sectors_written               beside the data partition, by a whole start of a PC with UEFI: by firmware, loader, kernel or programs
   power_cycles, slot_flips            how often a PC was switched off at a random moment, and those after which another slot started
   variable_cuts, variable_cuts_dead   cuts between two writes of the firmware to its variables, and those after which no face came
+  try_cuts, try_cuts_dead             cuts while the firmware keeps which slot is to be tried once, or strikes it, and those after which no face came
   bad_versions_booted                 bad versions that really started in a PC with UEFI, each of which was tried once and gave way
   data_cuts, data_cuts_wrong          cuts after which the data partition's disk had lost or torn what was not flushed, and those that left a
                                       file of it neither as before nor as after
   data_cuts_deciding                  of those cuts, between two states of what is kept
   boots_after_cut, boots_without_face cuts behind a write of a whole update in a PC with UEFI, and those after which no face came
-  update_sectors_astray               that it wrote beside the data, the other slot and the boot partition's files
+  update_sectors_astray               that it wrote beside the data, the other slot with its kernel's file, and loader.conf's sector
   face_rate_while_installing          frames a second while an update comes in, over those before
   added_packed_mb                     of a download, which is there for updates alone: their program, units and keys
   bundle_mb, install_s                an update's size, and how long it takes to bring one in on an emulated machine
@@ -47,11 +48,11 @@ BOUNDS = {"log_points": (1000, math.inf), "log_points_wrong": (0, 0), "good_slot
           "altered": (200, math.inf), "altered_installed": (0, 0), "altered_wrote_a_byte": (0, 0), "bad_slots": (9, math.inf),
           "bad_slots_kept": (0, 0), "tries_to_return": (0, 1), "controls": (7, math.inf), "controls_passed": (0, 0),
           "start_sectors_written": (0, 0), "power_cycles": (20, math.inf), "slot_flips": (0, 0), "variable_cuts": (10, math.inf),
-          "variable_cuts_dead": (0, 0), "bad_versions_booted": (9, math.inf), "data_cuts": (200, math.inf), "data_cuts_wrong": (0, 0),
+          "variable_cuts_dead": (0, 0), "try_cuts": (10, math.inf), "try_cuts_dead": (0, 0), "bad_versions_booted": (9, math.inf), "data_cuts": (200, math.inf), "data_cuts_wrong": (0, 0),
           "data_cuts_deciding": (1, math.inf), "boots_after_cut": (10, math.inf), "boots_without_face": (0, 0), "update_sectors_astray": (0, 0),
           "face_rate_while_installing": (0.95, math.inf), "bundle_mb": (0, 95), "added_packed_mb": (0, 4), "install_s": (0, math.inf), "sbom_files_unmatched": (0, 0), "stale_packages": (0, 0)}
 # The least that a release has tried, at 25 times the effort of ./box test --bench.
-OF_ONE_EFFORT = ("power_cycles", "variable_cuts", "data_cuts", "boots_after_cut")
+OF_ONE_EFFORT = ("power_cycles", "variable_cuts", "try_cuts", "data_cuts", "boots_after_cut")
 RELEASE_EFFORT = 25
 # KAORI_UPDATE_EFFORT of a release: 100 000 altered updates in all.
 RELEASE_ALTERED = 250

@@ -9,19 +9,16 @@
 #include <vector>
 
 #include "hw-sim/hil/noise_slot.h"
+#include "tests/hw-sim/partition_table.h"
 
 namespace kaori::hil {
 namespace {
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 
-struct Partition {
-  std::string name;
-  std::uint64_t at_mib, mib;
-};
 // As rootfs/image/pack.py lays them, and the roots smaller: the kernels' files are as large as there.
-const std::vector<Partition> kPartitions{{"boot", 1, 64},   {"root-a", 65, 4},   {"verity-a", 69, 2},
-                                         {"root-b", 71, 4}, {"verity-b", 75, 2}, {"data", 77, 4}};
+const std::vector<tests::Partition> kPartitions{{"boot", 1, 64},   {"root-a", 65, 4},   {"verity-a", 69, 2},
+                                                {"root-b", 71, 4}, {"verity-b", 75, 2}, {"data", 77, 4}};
 constexpr std::uint64_t kDisk_mib = 82, kKernelA_mib = 2, kKernelB_mib = 26, kKernelFile_mib = 24;
 
 class NoiseSlot : public ::testing::Test {
@@ -29,9 +26,7 @@ class NoiseSlot : public ::testing::Test {
   NoiseSlot() : disk_(::testing::TempDir() + "noise-slot-" + std::to_string(::getpid())) {
     std::ofstream(disk_).flush();
     std::filesystem::resize_file(disk_, kDisk_mib * kMiB);
-    Put(512, "EFI PART");
-    Put(512 + 72, Number(2, 8) + Number(kPartitions.size(), 4) + Number(128, 4));
-    for (std::size_t n = 0; n < kPartitions.size(); ++n) Put(1024 + n * 128, Entry(kPartitions[n]));
+    Put(tests::kTableAt_bytes, tests::PartitionTable(kPartitions));
     for (const auto& [at_mib, slot] : {std::pair{kKernelA_mib, 'A'}, {kKernelB_mib, 'B'}}) {
       Put(at_mib * kMiB, "MZ");
       Put(at_mib * kMiB + 3 * kMiB / 2, std::string("quiet panic=5 rauc.slot=") + slot);
@@ -39,18 +34,6 @@ class NoiseSlot : public ::testing::Test {
   }
   ~NoiseSlot() override { std::filesystem::remove(disk_); }
 
-  static std::string Number(std::uint64_t number, int bytes) {
-    std::string text;
-    for (int n = 0; n < bytes; ++n) text += static_cast<char>(number >> (8 * n));
-    return text;
-  }
-  static std::string Entry(const Partition& its) {
-    std::string entry(32, '\1');
-    entry += Number(its.at_mib * kMiB / 512, 8) + Number((its.at_mib + its.mib) * kMiB / 512 - 1, 8) +
-             Number(0, 8);
-    for (const char letter : its.name) entry += {letter, '\0'};
-    return entry + std::string(128 - entry.size(), '\0');
-  }
   void Put(std::uint64_t at, const std::string& bytes) const {
     std::fstream file(disk_, std::ios::binary | std::ios::in | std::ios::out);
     file.seekp(static_cast<std::streamoff>(at));

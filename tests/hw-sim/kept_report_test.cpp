@@ -1,12 +1,16 @@
 // A run of the bench that was cut goes on where it was, and never takes over what was found of something else.
 #include "hw-sim/hil/kept_report.h"
 
+#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
+
+#include "drivers/base/read_file.h"
+#include "hw-sim/hil/image_files.h"
 
 namespace kaori::hil {
 namespace {
@@ -68,6 +72,28 @@ TEST_F(KeptReport, KeepsWhatARunThatGoesOnHasNotComeTo) {
   ASSERT_EQ(passes.size(), 2U);
   EXPECT_EQ(passes[0].name, "replugs");
   EXPECT_EQ(passes[1].name, "face");
+}
+
+// rootfs/image/tested.py reads it.
+TEST_F(KeptReport, SaysOfWhichFilesAnUpdateMayBeMade) {
+  using ::testing::HasSubstr;
+  Report report = OneOfThree();
+  report.files = {{"root.erofs", "ab12"}};
+  report.wanted = 7;
+  ASSERT_TRUE(KeepReport(report, {}, "image ab12", folder_));
+  const std::string text = ReadFile(folder_ + "/report.json").value();
+  EXPECT_THAT(text, HasSubstr("\"files\": {\n    \"root.erofs\": \"ab12\"\n  }"));
+  EXPECT_THAT(text, HasSubstr("\"wanted\": 7"));
+  EXPECT_THAT(text, HasSubstr("\"skipped\": true"));
+}
+
+TEST_F(KeptReport, KnowsAnImageByTheFilesOfAnUpdateThatAreThere) {
+  std::ofstream(folder_ + "/root.erofs") << "abc";
+  std::ofstream(folder_ + "/kaori.disk") << "a disk";
+  const auto hashes = UpdateFileHashes(folder_, folder_ + "/log");
+  ASSERT_EQ(hashes.size(), 1U);
+  // FIPS 180-2, appendix B.1.
+  EXPECT_EQ(hashes.at("root.erofs"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 TEST_F(KeptReport, IsNothingWhereItIsNoReport) {

@@ -197,6 +197,48 @@ demo_says() {  # demo_says "a part of its last line" arguments of box demo ...
 demo_says "Only this machine reaches it; --listen ADDRESS lets others in."
 demo_says "WARNING: the page is served on 0.0.0.0. Whoever reaches this port sees the picture and plays the face" --listen 0.0.0.0
 
+# An update is made of the image that the bench has tried, and of no other one unless that is asked for.
+(cd "$REPOSITORY" && cp --parents rootfs/image/tested.py "$copy")
+image=$copy/out/image
+mkdir -p "$image"/{boot/EFI/Linux,root/usr/share/kaori/update-keys} "$copy"/out/{keys,bench}
+for file in root.erofs root.verity boot/EFI/Linux/kaori-{a,b}.efi; do echo "$file" >"$image/$file"; done
+echo "version 12" >"$image/root/usr/share/kaori/version"
+touch "$copy/out/keys/update-1.key"
+echo "a key" | tee "$copy/out/keys/update-1.key.pub" >"$image/root/usr/share/kaori/update-keys/1"
+printf '#!/bin/sh\necho "bundle $*" >>"%s"\n' "$done" >"$copy/out/build/release/bin/kaori-bundle"
+chmod +x "$copy/out/build/release/bin/kaori-bundle"
+
+bundle() {  # bundle made|refused "a part of what is said" arguments of box bundle ...
+  local said made=refused
+  : >"$done"
+  said=$(PATH="$copy/bin:$PATH" timeout 20 "$copy/box" bundle "${@:3}" 2>&1)
+  ! grep -q '^bundle .*kaori-12.kaoriupdate' "$done" || made=made
+  [[ $made = "$1" && $said = *"$2"* ]] || { echo "box bundle ${*:3} was $made and said: $said"; failures=$((failures + 1)); }
+}
+
+# What the bench writes of an image as it is now, with these checks of so many: reports CHECKS COUNT
+reports() {
+  local files
+  files=$(cd "$image" && sha256sum root.* boot/EFI/Linux/* | sed 's/\(.*\)  \(.*\)/"\2": "\1"/' | paste -sd,)
+  echo "{\"files\": {$files}, \"wanted\": $2, \"checks\": [$1]}" >"$copy/out/bench/report.json"
+}
+
+passed='{"name": "face", "passed": true, "skipped": false}, {"name": "chip", "passed": false, "skipped": true}'
+bundle refused "the image in out/image was not tested; ./box test --bench does it"
+bundle made "" --untested
+reports "$passed" 2
+bundle made "is the one that was tested: 1 checks have passed, 1 were skipped"
+reports "$passed" 3
+bundle refused "was not tried to the end: 1 checks are left"
+reports "$passed, {\"name\": \"held\", \"passed\": false, \"skipped\": false}" 3
+bundle refused "failed on the bench: held; no update is made of it but with --untested"
+reports "$passed" 2
+echo "another" >>"$image/boot/EFI/Linux/kaori-b.efi"
+bundle refused "was not tested: the bench tried another boot/EFI/Linux/kaori-b.efi"
+bundle made "" --untested --news "the same again"
+echo "no report" >"$copy/out/bench/report.json"
+bundle refused "was not tested"
+
 # What ./box fuzz starts are the targets that there are, each with the inputs that are kept for it.
 targets=$(sed -n 's/^kaori_fuzz(\([a-z_]*\).*/\1/p' "$REPOSITORY/tests/fuzz/CMakeLists.txt" | sort)
 kept=$(ls "$REPOSITORY/tests/fuzz/corpus" | sort)

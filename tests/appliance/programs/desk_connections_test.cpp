@@ -1,11 +1,9 @@
 // The desk's connections: who is slow, says nothing, offers weak ciphers or fills the places.
-#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <gnutls/gnutls.h>
 #include <gtest/gtest.h>
-#include <poll.h>
 #include <sys/resource.h>
 
+#include "tests/appliance/programs/desk_secure_visitor.h"
 #include "tests/appliance/programs/desk_visitors_fixture.h"
 
 namespace kaori::tests {
@@ -13,28 +11,6 @@ namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
 using ::testing::HasSubstr;
-
-// Whether a client that offers just this, in GnuTLS's words, and trusts every certificate, agrees with the desk.
-bool AgreesOnTls(desk::Desk& desk, const char* offered, Visitor visitor) {
-  gnutls_certificate_credentials_t credentials = nullptr;
-  gnutls_session_t session = nullptr;
-  gnutls_certificate_allocate_credentials(&credentials);
-  gnutls_init(&session, GNUTLS_CLIENT | GNUTLS_NONBLOCK);
-  EXPECT_EQ(gnutls_priority_set_direct(session, offered, nullptr), GNUTLS_E_SUCCESS) << offered;
-  gnutls_credentials_set(session, GNUTLS_CRD_CERTIFICATE, credentials);
-  ::fcntl(visitor.fd(), F_SETFL, O_NONBLOCK);
-  gnutls_transport_set_int(session, visitor.fd());
-  int state = GNUTLS_E_AGAIN;
-  for (int turn = 0; turn < 2000 && state < 0 && gnutls_error_is_fatal(state) == 0; ++turn) {
-    state = gnutls_handshake(session);
-    desk.Step();
-    pollfd wait{visitor.fd(), POLLIN, 0};
-    ::poll(&wait, 1, 1);
-  }
-  gnutls_deinit(session);
-  gnutls_certificate_free_credentials(credentials);
-  return state == GNUTLS_E_SUCCESS;
-}
 
 TEST_F(DeskVisitors, WhoSendByteByByteAreDisconnectedAfterTenSeconds) {
   Visitor slow = Come();
@@ -80,16 +56,17 @@ TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreDisconnected) {
 
 TEST_F(DeskVisitors, AgreeOnNewTlsWithAuthenticatedEncryptionAlone) {
   MakeSecure();
-  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL", Come()));
-  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL:-VERS-ALL:+VERS-TLS1.3", Come()));
-  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL:-VERS-ALL:+VERS-TLS1.2", Come()));
-  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL:-VERS-ALL:+VERS-TLS1.2:-CIPHER-ALL:+AES-128-GCM", Come()));
+  const auto agrees = [this](const char* offered) { return SecureVisitor(port_, Pump(), offered).Agrees(); };
+  EXPECT_TRUE(agrees("NORMAL"));
+  EXPECT_TRUE(agrees("NORMAL:-VERS-ALL:+VERS-TLS1.3"));
+  EXPECT_TRUE(agrees("NORMAL:-VERS-ALL:+VERS-TLS1.2"));
+  EXPECT_TRUE(agrees("NORMAL:-VERS-ALL:+VERS-TLS1.2:-CIPHER-ALL:+AES-128-GCM"));
   for (const char* weak : {"LEGACY:-VERS-ALL:+VERS-TLS1.0", "LEGACY:-VERS-ALL:+VERS-TLS1.1",
                            "LEGACY:-VERS-ALL:+VERS-TLS1.0:+VERS-TLS1.1",
                            "NORMAL:-VERS-ALL:+VERS-TLS1.2:-CIPHER-ALL:+AES-128-CBC:+AES-256-CBC",
                            "NORMAL:-VERS-ALL:+VERS-TLS1.2:-KX-ALL:+RSA",
                            "NORMAL:-VERS-ALL:+VERS-TLS1.2:-CIPHER-ALL:+AES-128-CCM-8"})
-    EXPECT_FALSE(AgreesOnTls(*desk_, weak, Come())) << weak;
+    EXPECT_FALSE(agrees(weak)) << weak;
 }
 
 TEST_F(DeskVisitors, GetNoSecureDeskWithAnInvalidCertificate) {

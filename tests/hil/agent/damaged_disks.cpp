@@ -33,6 +33,9 @@ constexpr int kDeepest = 6;
 constexpr int kMostEntries = 400;
 constexpr std::size_t kMostRead_bytes = std::size_t{64} << 10U;
 constexpr int kFolders = 4, kFilesEach = 12;
+// Of ten images of a kind one is written to, too.
+constexpr std::uint64_t kWrittenOneOf = 10;
+constexpr std::size_t kSupport_bytes = 3000;  // Of several clusters, as a short support file is.
 
 struct Seen {
   int entries = 0;
@@ -123,6 +126,30 @@ Result<void> Mount(const char* file_system, unsigned long flags) {
   return FailErrno(std::string("mount ") + kDisk + " as " + file_system);
 }
 
+// As StickMount::SetWritable does it.
+bool Remount(unsigned long flags) {
+  return ::mount(nullptr, kAt, nullptr, MS_REMOUNT | kSafe | flags, nullptr) == 0;
+}
+
+// A new file, as a support file or a backup is: by a long name at the top, and safe on the disk when it is closed.
+bool WriteNew() {
+  const std::string file = std::string(kAt) + "/kaori-1a2b3c4d-20261123-221005.txt";
+  const UniqueFd fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (!fd.valid()) return false;
+  const std::string text(kSupport_bytes, 's');
+  return ::write(fd.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+         ::fsync(fd.get()) == 0 && ::syncfs(fd.get()) == 0;
+}
+
+// A driver may refuse at any step, and close a file system itself that it finds wrong: that is no fault. Says whether the file came to
+// be there.
+bool WriteOn() {
+  if (!Remount(0)) return false;
+  const bool is_written = WriteNew();
+  static_cast<void>(Remount(MS_RDONLY));
+  return is_written;
+}
+
 Result<void> Unmount() {
   if (::umount2(kAt, 0) == 0) return {};
   return FailErrno(std::string("unmount ") + kAt);
@@ -164,7 +191,7 @@ Result<DamagedDisks> DamagedDisks::Make() {
 
 Result<std::string> DamagedDisks::Try(std::uint64_t first, std::uint64_t count) {
   Seen all;
-  std::uint64_t mounted = 0;
+  std::uint64_t mounted = 0, written = 0;
   std::string fault;
   for (std::uint64_t number = first; number < first + count; ++number) {
     const Kind& kind = kinds_[number % kinds_.size()];
@@ -177,13 +204,14 @@ Result<std::string> DamagedDisks::Try(std::uint64_t first, std::uint64_t count) 
       Walk(kAt, 0, seen);
       all.entries += seen.entries;
       all.bytes += seen.bytes;
+      if (number / kinds_.size() % kWrittenOneOf == 0 && WriteOn()) ++written;
       if (auto ok = Unmount(); !ok) return tl::unexpected(ok.error());
     }
     if (const auto faults = log_.NewFaults(); fault.empty() && !faults.empty())
       fault = fmt::format(" fault image {}: {}", number, faults.front());
   }
-  return fmt::format("tried {} mounted {} entries {} bytes {}{}", count, mounted, all.entries, all.bytes,
-                     fault);
+  return fmt::format("tried {} mounted {} entries {} bytes {} written {}{}", count, mounted, all.entries,
+                     all.bytes, written, fault);
 }
 
 }  // namespace kaori::agent

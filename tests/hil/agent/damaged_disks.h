@@ -1,4 +1,4 @@
-// Mounts damaged file systems one after the other and reads all that they show, as the box does with a stick.
+// Mounts damaged file systems one after the other, reads all that they show, and writes to some, as the box does with a stick.
 #pragma once
 
 #include <array>
@@ -19,9 +19,10 @@ class DamagedDisks {
   // those of the disk, of mounting, and of a file system that does not show what was written.
   static Result<DamagedDisks> Make();
 
-  // Images `first` to `first` + `count` - 1, of the kinds in turn. Says what came of them in one line: "tried
-  // N mounted N entries N bytes N", and behind it "fault TEXT" where the kernel's log tells of a fault of the
-  // kernel itself. Returns when the last is unmounted; a driver that hangs never returns. Errors: those of the
+  // Images `first` to `first` + `count` - 1, of the kinds in turn. Four of forty, one of each kind, are remounted so that they can be
+  // written, get a new file as a support file is written, and are closed again. Says what came of them in one line: "tried N mounted N
+  // entries N bytes N written N", where `written` are those on which that file came to be, and behind it "fault TEXT" where the kernel's
+  // log tells of a fault of the kernel itself. Returns when the last is unmounted; a driver that hangs never returns. Errors: those of the
   // memory disk, and of one that is still in use.
   Result<std::string> Try(std::uint64_t first, std::uint64_t count);
 

@@ -26,7 +26,7 @@
 //   lines drive N 0|1            output number N, driven soon after the answer
 //   dials make                   eight dials on simulated GPIO lines; the name of their chip
 //   dials turn US N,N,...        turns them by so many edges each, with a pause in microseconds after each edge
-//   damaged-disks FIRST COUNT    mounts and reads so many damaged file systems, as DamagedDisks says
+//   damaged-disks FIRST COUNT    mounts and reads so many damaged file systems, and writes to some, as DamagedDisks says
 #include <array>
 #include <cstdint>
 #include <memory>
