@@ -252,6 +252,20 @@ class Shape(unittest.TestCase):
         other = 'int B() {\n  return FailErrno("open");\n}\n'
         self.assertEqual(against_shape("hw-sim/a.cpp", before + other), [])
 
+    def test_names_a_line_that_is_torn_off_a_comments_sentence(self):
+        full = "// " + "It writes every property that the output needs, whatever state it is in. " * 2 + "It does so after its link"
+        for torn in ("// failed. `mode` is\n// the blob.\n", "// failed\n//   twice, with an entry\n", "// 14 of\n// them.\n"):
+            found = against_shape("render/gl/a.cpp", f"int x = 0;\n{full}\n{torn}")
+            self.assertEqual(len(found), 1, (torn, found))
+            self.assertTrue(found[0].startswith("render/gl/a.cpp: line 3: a short line in mid-sentence"), found)
+
+    def test_lets_short_lines_pass_that_end_a_sentence_or_an_entry_or_are_a_row(self):
+        full = "// " + "It writes every property that the output needs, whatever state it is in. " * 2
+        for right in (full + "It does\n// so.\n// Then it ends.\n", full.strip() + "\n// And so\n// it ends.\n", full + "It does\n// so\nint x = 0;\n",
+                      "//   name    " + full[3:] + "it\n//           says\n//   other   it was none\n",
+                      "//   0  u8   " + full[3:] + "it\n//   1  u8   0\n//   2  u16  the rest\n"):
+            self.assertEqual(against_shape("render/gl/a.cpp", right), [], right)
+
     def test_names_a_file_that_is_too_long(self):
         found = against_shape("render/gl/a.cpp", "\n" * 301)
         self.assertEqual(len(found), 1)
