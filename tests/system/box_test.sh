@@ -153,6 +153,17 @@ said=$(bash -c "$(sed -n '/^show_progress()/,/^}/p' "$BOX")"'
 wanted=$'building: 1 of 4 steps\na warning\nbuilding: 3 of 4 steps'
 [ "$said" = "$wanted" ] || { echo "the progress of a build was said as: $said"; failures=$((failures + 1)); }
 
+# A build that is measured says the same, and the kernel's too; all of its words go to the log, and what it cost to the caller.
+measured="$(sed -n '/^readonly NINJA_LINE/p; /^show_progress()/,/^}/p' "$BOX"; sed -n '/^timed()/,/^}/p' "$REPOSITORY/tests/tests.sh")"'
+  read() { builtin read "$@" && SECONDS=$((SECONDS + 6)); }
+  timed "it took %0lR" "$@"'
+printf '#!/bin/sh\necho "[1 of 4, 6s] a\n${NINJA_STATUS%%%%%%*}2 of 4, 12s] b\na warning\n      7 of 70 objects of the kernel"\n' >"$copy/bin/measured"
+chmod +x "$copy/bin/measured"
+said=$(bash -c "$measured" measured "$copy/measured.log" "$copy/bin/measured" 2>&1 >"$copy/cost")
+wanted=$'building: 2 of 4 steps\n      7 of 70 objects of the kernel'
+[ "$said" = "$wanted" ] && [[ $(<"$copy/cost") == "it took 0m0"* && $(wc -l <"$copy/measured.log") -eq 4 ]] ||
+  { echo "a measured build said: $said; $(<"$copy/cost")"; failures=$((failures + 1)); }
+
 # What a stick holds is compared with what was written, the key beside the show too. cp spoils one of them in place of the stick.
 mkdir "$copy/stick"
 touch "$copy/evening.kaori" "$copy/company.key"
