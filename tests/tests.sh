@@ -2,7 +2,7 @@
 # ./box test, bench and fuzz. Read by ./box.
 
 readonly TEST_PACKAGES=(python3 chromium dosfstools e2fsprogs ffmpeg mtools systemd clang-format clang-tidy shellcheck pyflakes3
-  openssl efitools sbsigntool)
+  openssl efitools sbsigntool strace)
 readonly BENCH_PACKAGES=(libopencv-core-dev libopencv-imgproc-dev)  # What the lips are compared with: ten seconds.
 readonly FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev)
 readonly BUILD_COSTS=out/build_cpu.json
