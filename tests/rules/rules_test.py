@@ -12,6 +12,9 @@ import cycles  # noqa: E402  The folder must be on the path first.
 import direction  # noqa: E402
 import shape  # noqa: E402
 import table  # noqa: E402
+import tidy  # noqa: E402
+import unused  # noqa: E402
+import words  # noqa: E402
 
 HEADER = "// A header that says what it is for.\n#pragma once\n"
 
@@ -206,16 +209,35 @@ class Cycles(unittest.TestCase):
 class Rooms(unittest.TestCase):
     ROOT = pathlib.Path(__file__).parents[2]
 
-    def test_of_the_table_are_all_there(self):
-        rooms = {room for row in table.MAY_INCLUDE for room in (row[0], *row[1])}
-        rooms |= {room for _, rooms in table.LIBRARIES for room in rooms}
-        self.assertEqual([room for room in sorted(rooms) if not (self.ROOT / room).exists()], [])
+    @classmethod
+    def setUpClass(cls):
+        cls.paths = [path for path, _ in words.files(cls.ROOT)]
+
+    def gone(self, beginnings):
+        """Those that begin the path of no file."""
+        return [begin for begin in beginnings if not any(path.startswith(begin) for path in self.paths)]
+
+    def test_of_the_tables_are_all_there(self):
+        for name, beginnings in (("MAY_INCLUDE", {room for row in table.MAY_INCLUDE for room in (row[0], *row[1])}),
+                                 ("LIBRARIES", {room for _, rooms in table.LIBRARIES for room in rooms}),
+                                 ("PURE_ROOMS", table.PURE_ROOMS), ("FREESTANDING_ROOMS", table.FREESTANDING_ROOMS),
+                                 ("FOR_TESTS_TOO", table.FOR_TESTS_TOO), ("PRODUCT", unused.PRODUCT),
+                                 ("WITHIN", [begin for begin, _, _ in words.WITHIN]), ("EXEMPT", [begin for begin, _, _ in words.EXEMPT]),
+                                 ("PARTS", tidy.PARTS)):
+            with self.subTest(name):
+                self.assertEqual(self.gone(sorted(beginnings)), [])
+
+    def test_that_are_gone_are_named(self):
+        self.assertEqual(self.gone(["drivers/decode/", "drivers/decoders/", "docs/needles.", "docs/needle."]), ["drivers/decoders/", "docs/needle."])
 
     def test_of_bytes_to_values_call_no_system(self):
-        for path, file in direction.sources(self.ROOT):
-            if path.startswith(table.PURE_ROOMS):
-                found = [i.target for i in direction.includes(path, file)]
-                self.assertFalse([t for t in found if t.startswith(table.SYSTEM_HEADERS)], path)
+        for room in table.PURE_ROOMS:
+            for header in table.SYSTEM_HEADERS:
+                with self.subTest(room=room, header=header):
+                    found = against_direction(f"{room}a.cpp", f"#include <array>\n#include <{header}>\n")
+                    self.assertEqual(len(found), 1, found)
+                    self.assertIn(f"{room}a.cpp:2: {header}: bytes to values, and nothing else", found[0])
+        self.assertEqual(against_direction("drivers/hid/a.cpp", "#include <unistd.h>\n"), [])
 
 
 class Shape(unittest.TestCase):
