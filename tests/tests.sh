@@ -2,7 +2,7 @@
 # ./box test, bench and fuzz. Read by ./box.
 
 readonly TEST_PACKAGES=(python3 chromium dosfstools e2fsprogs ffmpeg mtools systemd clang-format clang-tidy shellcheck pyflakes3
-  openssl efitools sbsigntool)
+  openssl efitools sbsigntool strace)
 readonly BENCH_PACKAGES=(libopencv-core-dev libopencv-imgproc-dev)  # What the lips are compared with: ten seconds.
 readonly FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev)
 readonly BUILD_COSTS=out/build_cpu.json
@@ -54,11 +54,15 @@ run_tests() {
   python3 -B tests/look/look_report.py $BIN out/look.json || fail "out/look.json is not whole, or misses a bar; see above"
 }
 
-# What bash's `time` says of the named command, whose words go to the log: timed TIMEFORMAT LOG COMMAND...
+# What bash's `time` says of the named command, whose words go to the log: timed TIMEFORMAT LOG COMMAND... How far ninja and the
+# kernel are is said besides, on stderr, by programs whose own time does not count.
 timed() {
   local TIMEFORMAT=$1 log=$2
+  local -x NINJA_STATUS=$NINJA_LINE
   shift 2
-  { time "$@" >>"$log" 2>&1; } 2>&1 || fail "the measured build, or its tests, failed; see $log"
+  { time "$@" 2>&1; } 2>"$log.time" | tee -a "$log" | show_progress | sed -unE '/^(building:|     ) [0-9]+ of /p' >&2 ||
+    fail "the measured build, or its tests, failed; see $log"
+  cat "$log.time"
 }
 
 # The CPU seconds, user and system, of all that a command runs: cpu_seconds LOG COMMAND...

@@ -86,13 +86,8 @@ Result<void> GiveName(Draft& draft, const std::filesystem::path& file) {
   return {};
 }
 
-// A loss of power must not lose the name either: rename(2) changes the
-// folder, which has to reach the disk as well.
-Result<void> KeepFolder(const std::filesystem::path& file) {
-  const std::string folder = FolderOf(file);
-  const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("write the folder " + folder);
-  return {};
+UniqueFd OpenAsFolder(const std::filesystem::path& folder) {
+  return UniqueFd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
 }
 
 }  // namespace
@@ -118,7 +113,20 @@ Result<void> WriteWholeFile(const std::filesystem::path& file,
   // In this order: content, then name, then folder. A name that reached the disk before its
   // content would be an empty file after a loss of power.
   if (auto ok = GiveName(*draft, file); !ok) return ok;
-  return KeepFolder(file);
+  // A loss of power must not lose the name either: rename(2) changes the folder.
+  return SyncFolder(FolderOf(file));
+}
+
+Result<void> SyncFolder(const std::filesystem::path& folder) {
+  const UniqueFd fd = OpenAsFolder(folder);
+  if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("write the folder " + folder.string());
+  return {};
+}
+
+Result<void> SyncFileSystem(const std::filesystem::path& folder) {
+  const UniqueFd fd = OpenAsFolder(folder);
+  if (!fd.valid() || ::syncfs(fd.get()) < 0) return FailErrno("write " + folder.string());
+  return {};
 }
 
 }  // namespace kaori

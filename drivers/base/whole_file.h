@@ -34,4 +34,14 @@ Result<void> WriteWholeFile(const std::filesystem::path& file,
                             std::initializer_list<std::span<const std::uint8_t>> pieces,
                             unsigned mode = 0644);
 
+// Returns once the names in `folder` are on its disk: a file that was renamed, made or removed there is so after a
+// loss of power too. What the files hold is not meant (fsync(2) of each). Blocks for the disk. Any thread. Errors:
+// those of open(2) and fsync(2), with the folder's name.
+Result<void> SyncFolder(const std::filesystem::path& folder);
+
+// Returns once all that was written before to the file system that `folder` lies on is on its disk: contents and
+// names of every folder (syncfs(2)). Blocks for the disk, for seconds where much was written. Any thread. Errors:
+// those of open(2) and syncfs(2), with the folder's name.
+Result<void> SyncFileSystem(const std::filesystem::path& folder);
+
 }  // namespace kaori

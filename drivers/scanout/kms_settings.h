@@ -20,8 +20,7 @@ struct KmsPart {
 };
 
 // Adds to `into` every property that the output needs, whatever state it is in: 13 of them, or 14 after its link
-// failed. `mode` is
-// the blob of the output's mode. A commit of them needs DRM_MODE_ATOMIC_ALLOW_MODESET. Pure.
+// failed. `mode` is the blob of the output's mode. A commit of them needs DRM_MODE_ATOMIC_ALLOW_MODESET. Pure.
 void AddOutputSettings(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
                        std::vector<KmsSetting>& into);
 

@@ -125,8 +125,8 @@ Result<void> AwaitEndOfFirstStart(Scene& scene) {
 Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk, const First& first) {
   auto ok = box.Play(StickSetup(disk));
   if (ok) ok = AwaitEndOfFirstStart(scene);
-  const auto begun = std::chrono::steady_clock::now();
-  const auto took_s = [&] { return Seconds(std::chrono::steady_clock::now() - begun); };
+  const Time begun = scene.target.clock().now();
+  const auto took_s = [&] { return Seconds(scene.target.clock().now() - begun); };
   auto& figures = scene.finding.figures;
   const auto key = ok ? WithKey(scene, [&] { return Restore(scene, first); })
                       : Result<std::string>(tl::unexpected(ok.error()));

@@ -56,7 +56,7 @@ std::string BenchCommandLine(const std::string& of_the_image, const std::string&
 // The bench's disk in the machine: the second one on virtio, or the first where the image's is elsewhere. Pure.
 std::string BenchDisk(const Setup& setup);
 
-// The kernel's command line as an image for USB has it: the kernel lets in what it finds there. Pure.
+// The kernel's command line as an image for USB has it: the kernel authorises what it finds there. Pure.
 std::string OnUsb(std::string line);
 
 // The same for a machine without an agent: kernel, systemd and journal write their log to the serial line, the kernel as

@@ -12,7 +12,7 @@ enum class Graphics { kUsual, kVirtio, kVirgl, kVga, kNone };
 
 // Where the image's disk is attached: each bus has a driver of its own in the
 // kernel, and another name for the disk. kUsb: without firmware the kernel is told
-// to let in what is on USB, as an image for USB has it.
+// to authorise what is on USB, as an image for USB has it.
 enum class DiskBus { kVirtio, kSata, kNvme, kUsb, kSd };
 
 // All that differs between the boxes of two checks. Checks with equal setups share a box that plays.

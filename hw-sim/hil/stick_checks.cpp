@@ -1,4 +1,4 @@
-// A company's own show comes by a stick while the service key is on; without the key a stick is dead.
+// A company's own show comes by a stick while the service key is on; without the key a stick is unauthorised.
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -184,7 +184,7 @@ Result<void> BringsAShow(Scene& scene) {
   return ok;
 }
 
-// The control: with the key off the same stick is dead, and nothing is read of it.
+// The control: with the key off the same stick is unauthorised, and nothing is read of it.
 Result<void> NothingIsReadWithoutTheKey(Scene& scene) {
   PlayStrategy box(scene.target);
   auto ok = box.Play(StickSetup(""));

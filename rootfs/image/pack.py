@@ -95,7 +95,7 @@ def hash_root(out, image):
 def command_line(image, root_hash, slot, medium=DISK, board=None):
     """The kernel itself sets up the verified root: no program runs before. The tree's first block is its header.
 
-    A kernel that is to find its root on USB lets in what is plugged in there; kaori-boot, its first program, ends that."""
+    A kernel that is to find its root on USB authorises what is plugged in there; kaori-boot, its first program, ends that."""
     blocks = image.stat().st_size // BLOCK
     ids = {name: uuid for name, _, _, uuid in LAYOUT}
     root, tree = f"PARTUUID={ids[f'root-{slot}']}", f"PARTUUID={ids[f'verity-{slot}']}"

@@ -5,13 +5,11 @@
 
 namespace kaori::benchmark {
 
-// lips.640x480_ms, lips.1280x720_ms: one YUYV frame of the simulated lip camera, from its bytes to the box
-// that
-//   the mouth lies in. lips.frame_ms: to all sizes of the mouth, at 640x480.
-// lips.noise_over_clean: how much longer the box takes where half the samples are paint by the toss of a
-// coin. lips.opencv_over_ours: how much longer OpenCV's inRange and connectedComponentsWithStats take for the
-// box;
-//   said aloud to be missing where OpenCV is.
+// lips.640x480_ms, lips.1280x720_ms: one YUYV frame of the simulated lip camera, from its bytes to the box that the
+//   mouth lies in. lips.frame_ms: to all sizes of the mouth, at 640x480.
+// lips.noise_over_clean: how much longer the box takes where half the samples are paint by the toss of a coin.
+// lips.opencv_over_ours: how much longer OpenCV's inRange and connectedComponentsWithStats take for the box; said aloud
+//   to be missing where OpenCV is.
 // lips.error_percent: of the normal set of rendered operators, in hundredths of the mouth's width; its p99 is
 //   the worst condition's. lips.longest_loss_ms: the longest time without a mouth in any of them.
 // lips.hard_error_percent, lips.hard_longest_loss_ms: the same of the hard set, as it is.

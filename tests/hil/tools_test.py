@@ -4,7 +4,7 @@
 Reads what shell scripts run in command position or lay on the agent's disk, what Python gives to subprocess, what the
 simulator's and the tests' C++ starts, and what scripts of Node start: all of the tree but what runs on the box itself. Each name
 must be in TOOLS with its package, and the package in one of the lists of ./box (NAME_PACKAGES=(...)) or part of every Debian.
-The control: a script with a tool that no list has is found.
+The control: a script with a tool that no list has is found, and so is each way in which C++ starts one.
 """
 
 import ast
@@ -12,6 +12,8 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+
+from cpp_tools import cpp_tools
 
 ESSENTIAL = "part of every Debian"
 # Tool -> package.
@@ -23,7 +25,8 @@ TOOLS = {
     "systemd-analyze": "systemd", "python3": "python3", "git": "git",
     "cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "make": "make", "patch": "patch", "gcc": "gcc", "g++": "g++", "ccache": "ccache",
     "clang-14": "clang-14", "clang++-14": "clang-14", "clang-tidy-14": "clang-tidy-14", "clang-format-14": "clang-format-14",
-    "chromium": "chromium", "node": "nodejs", "npm": "npm", "ffmpeg": "ffmpeg", "shellcheck": "shellcheck",
+    "chromium": "chromium", "node": "nodejs", "npm": "npm", "ffmpeg": "ffmpeg", "ffprobe": "ffmpeg", "shellcheck": "shellcheck",
+    "strace": "strace",
     "mmdebstrap": "mmdebstrap", "mkfs.erofs": "erofs-utils", "mke2fs": "e2fsprogs", "e2fsck": "e2fsprogs",
     "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mkfs.exfat": "exfatprogs", "mcopy": "mtools", "mmd": "mtools", "mtype": "mtools",
     "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "curl": "curl", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
@@ -36,8 +39,34 @@ TOOLS = {
     "evtest": "evtest", "v4l2-ctl": "v4l-utils", "v4l2-compliance": "v4l-utils", "gpiodetect": "gpiod", "gpioinfo": "gpiod",
     "arecord": "alsa-utils", "aplay": "alsa-utils", "amixer": "alsa-utils", "lsusb": "usbutils",
 }
-NOT_THERE = {"no-such-program-of-ours"}  # What a test starts to see how that fails.
+NOT_THERE = {"no-such-program", "no-such-program-of-ours"}  # What a test starts to see how that fails.
 ALWAYS = {ESSENTIAL, "systemd", "git"}  # git: without it there is no repository to run in.
+# The control: each tool here is of the name "frob-" and a number.
+CPP_CONTROL = r"""
+const auto ran = RunToEnd({"frob-1", file}, log);
+std::vector<std::string> words{"frob-2",     "--silent",
+                               answer};
+const auto asked = RunToEnd(words, log);
+const bool is_there = std::system("frob-3 -o /dev/null " PROGRAM " --help") == 0;
+EXPECT_EQ(std::system(("frob-4 -o " + trace + " " PROGRAM).c_str()), 0);
+int Explain(const std::string& report) {
+  const auto command = fmt::format("frob-5 {}", report);
+  return std::system(command.c_str());
+}
+std::string Among(const std::string& command) {
+  return "frob-6 " + user + "--mount sh -c 'frob-7 x && " + command + "'";
+}
+int Ran(const std::string& command) {
+  return ::pclose(::popen((command + " 2>&1").c_str(), "r"));
+}
+EXPECT_EQ(Ran(Among("frob-8 x; frob-9 y")), 0);
+const auto mended = RunToEnd({"sh", "-c", fmt::format("frob-10 '{}' || [ $? -eq 1 ]", file_)}, log);
+// RunToEnd({"no-frob"}) and std::system("no-frob") are of comments.
+int Run(const std::string& words) {
+  return std::system((PROGRAM " " + words).c_str());
+}
+EXPECT_EQ(Run("no-frob 1-2"), 2);
+"""
 BUILTINS = set("[ [[ ]] : . source exit return local declare readonly export set shift trap eval exec cd echo read mapfile unset "
                "command type compgen wait times let pushd popd builtin getopts ulimit umask printf kill test true false "
                "break continue if then else elif fi for while until do done case esac in function select time { } ! coproc".split())
@@ -100,10 +129,6 @@ def python_tools(source):
     return found
 
 
-def cpp_tools(source):
-    return set(re.findall(r'(?:RunToEnd|Process::Start)\(\s*\{"([^"]+)"', source)) | set(re.findall(r'(?:command\{|[.]qemu = )"([^"]+)"', source))
-
-
 def node_tools(source):
     return set(re.findall(r"\b(?:execFile|execFileSync|spawn|spawnSync)\(\s*'([^']+)'", source))
 
@@ -147,7 +172,7 @@ def calls(repository):
         yield from ((path, tool) for tool in sorted(python_tools(path.read_text())))
     for path in tracked(repository, "cpp"):
         if str(path.relative_to(repository)).startswith(CPP_ROOMS):
-            yield from ((path, tool) for tool in sorted(cpp_tools(path.read_text())))
+            yield from ((path, tool) for tool in sorted(cpp_tools(path.read_text(), shell_tools)))
     for path in tracked(repository, "node"):
         yield from ((path, tool) for tool in sorted(node_tools(path.read_text())))
 
@@ -175,6 +200,9 @@ def main():
                           packages - {"cpio"}))
     if len(missing) != 2:
         wrong.append(f"the control: {missing}: a tool without a package, and one that nobody knows, are not both found")
+    in_cpp = cpp_tools(CPP_CONTROL, shell_tools) - {"sh"}
+    if in_cpp != {f"frob-{number}" for number in range(1, 11)}:
+        wrong.append(f"the control: {sorted(in_cpp)} were seen of the ten tools in C++")
     print(f"{len({tool for _, tool in found})} tools in {len({path for path, _ in found})} files")
     if wrong:
         sys.exit("\n".join(wrong))

@@ -64,6 +64,8 @@ def check_angled(include):
         return None
     if include.path.startswith(table.FREESTANDING_ROOMS) and include.target not in table.FREESTANDING:
         return "firmware without a chip is freestanding: no operating system, no heap, no streams"
+    if include.path.startswith(table.PURE_ROOMS) and include.target.startswith(table.SYSTEM_HEADERS):
+        return "bytes to values, and nothing else: no call of the system"
     for beginnings, rooms in table.LIBRARIES:
         if include.target.startswith(beginnings) and not include.path.startswith(rooms):
             return f"only {', '.join(rooms)} includes <{beginnings[0]}...>"

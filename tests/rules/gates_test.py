@@ -96,6 +96,15 @@ class Words(Tree):
         self.write("a.md", "The reader hands it on, and hands over the rest. Eight clock hands.\nThey have both in their hands. On the other hand.\n")
         self.assertEqual(list(words.offences(self.root)), [])
 
+    def test_of_sticks_and_devices_that_are_dead_or_let_in_are_refused_and_other_dead_things_and_letting_pass(self):
+        wrong = ("At the box a stick is dead.", "Sticks are dead again.", "It stays dead.", "udev lets sticks in by it.", "The kernel lets in every device.",
+                 "What the kernel had let in.", "It lets no USB device in by itself.", "A profile that lets everything in.", "Each bus lets in none.")
+        self.write("docs/a.md", "\n".join(wrong))
+        self.assertEqual([line.split(":")[1] for line in words.offences(self.root)], [str(number + 1) for number in range(len(wrong))])
+        self.write("docs/a.md", "The dial box is dead.\nIts dead zone and dead ends.\nA dead device is opened again.\n*Stop* lets it fade out in a second.\n"
+                                "All lines are let go in the end.\nTests let time pass in steps.\nIt lets others in.\nLet it in the end go.\n")
+        self.assertEqual(list(words.offences(self.root)), [])
+
     def test_that_are_plain_pass(self):
         self.write("drivers/hid/a.cpp", '// Takes the newest report; signs and lights as in "handle".\nint device_slot = 0;\n')
         self.assertEqual(list(words.offences(self.root)), [])

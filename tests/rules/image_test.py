@@ -232,10 +232,13 @@ class Slots(unittest.TestCase):
 
 
 class Progress(unittest.TestCase):
-    """A kernel builds for minutes; rootfs/image/progress says how far it is."""
+    """A kernel and Mesa build for minutes; rootfs/image/progress says how far it is."""
 
-    def said(self, lines, total):
-        done = subprocess.run([REPOSITORY / "rootfs/image/progress", "objects", str(total)], input="".join(f"{line}\n" for line in lines),
+    def said(self, lines, total, line_s=0):
+        """What stands there of a build whose lines take so long each, by the clock of the program's shell."""
+        file = REPOSITORY / "rootfs/image/progress"
+        slow = f'read() {{ builtin read "$@" || return; SECONDS=$((SECONDS + {line_s})); }}; source {file}'
+        done = subprocess.run(["bash", "-c", slow, file, "objects", str(total)], input="".join(f"{line}\n" for line in lines),
                               capture_output=True, text=True, check=True)
         return [line.strip() for line in done.stdout.splitlines()]
 
@@ -245,6 +248,14 @@ class Progress(unittest.TestCase):
 
     def test_is_counted_where_the_end_is_not_known(self):
         self.assertEqual(self.said(["  CC a.o"] * 250, 0), ["100 objects", "200 objects"])
+
+    def test_comes_after_ten_seconds_without_a_tenth(self):
+        self.assertEqual(self.said(["  CC a.o"] * 5, 1000, line_s=6), ["2 of 1000 objects", "4 of 1000 objects"])
+        self.assertEqual(self.said(["  CC a.o"] * 3, 0, line_s=10), ["1 objects", "2 objects", "3 objects"])
+
+    def test_is_read_off_the_lines_of_ninja_too_which_say_the_end_themselves(self):
+        lines = ["ninja: Entering directory", *(f"[{step}/20] Compiling a.c" for step in range(1, 21)), "a warning"]
+        self.assertEqual(self.said(lines, 0), [f"{count} of 20 objects" for count in range(2, 21, 2)])
 
 
 def stored(shaders):

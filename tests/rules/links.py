@@ -57,6 +57,9 @@ def offences(root):
             its_room = rooms.get(dep)
             if its_room is not None and not its_room.startswith((its_row, *allowed)):
                 yield f"{path}: {name}: {dep}: {room} may link only {', '.join(allowed) or 'nothing'}"
+            of_system = its_room is None and dep not in table.PURE_ROOMS_LINK.get(name, ())
+            if of_system and room.startswith(table.PURE_ROOMS):
+                yield f"{path}: {name}: {dep}: {room} links no library of the system, but for PURE_ROOMS_LINK of tests/rules/table.py"
 
 
 def main():

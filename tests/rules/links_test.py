@@ -44,9 +44,19 @@ class Links(unittest.TestCase):
         self.assertEqual(len(found), 1, found)
 
     def test_with_the_direction_and_of_the_system_pass(self):
-        self.assertEqual(offences(drivers_decode="kaori_library(drivers_decode SOURCES a.cpp DEPS drivers_ports PkgConfig::GPIOD)",
+        self.assertEqual(offences(drivers_gpio="kaori_library(drivers_gpio SOURCES a.cpp DEPS drivers_ports PkgConfig::GPIOD)",
                                   drivers_ports="kaori_library(drivers_ports DEPS drivers_base)",
                                   drivers_base="kaori_library(drivers_base SOURCES a.cpp)"), [])
+
+    def test_of_the_system_are_refused_in_a_pure_room_but_for_those_that_the_table_names(self):
+        for linked in ("DEPS PkgConfig::TURBOJPEG", "DEPS drivers_ports PRIVATE_DEPS PkgConfig::TURBOJPEG", "PRIVATE_DEPS turbojpeg"):
+            found = offences(drivers_decode=f"kaori_library(drivers_decode SOURCES a.cpp {linked})",
+                             drivers_ports="kaori_library(drivers_ports)")
+            self.assertEqual(len(found), 1, found)
+            self.assertIn("drivers/decode/ links no library of the system", found[0])
+        planes = "kaori_library(drivers_decode_planes SOURCES planes.cpp PRIVATE_DEPS {})"
+        self.assertEqual(offences(drivers_decode=planes.format("PkgConfig::TURBOJPEG")), [])
+        self.assertEqual(len(offences(drivers_decode=planes.format("PkgConfig::LIBUSB"))), 1)
 
     def test_of_the_project_run_with_the_direction(self):
         self.assertEqual(list(links.offences(ROOT)), [])

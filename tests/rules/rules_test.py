@@ -12,6 +12,9 @@ import cycles  # noqa: E402  The folder must be on the path first.
 import direction  # noqa: E402
 import shape  # noqa: E402
 import table  # noqa: E402
+import tidy  # noqa: E402
+import unused  # noqa: E402
+import words  # noqa: E402
 
 HEADER = "// A header that says what it is for.\n#pragma once\n"
 
@@ -106,6 +109,7 @@ AGAINST = (
     ("appliance/programs/stage/a.cpp", "<microhttpd.h>", "only drivers/web/ includes"),
     ("appliance/programs/lips/a.cpp", "<gnutls/x509.h>", "only appliance/programs/desk/ includes"),
     ("appliance/programs/stage/a.cpp", "<nlohmann/json.hpp>", "includes <nlohmann/"),
+    ("drivers/decode/stream_deck.cpp", "<turbojpeg.h>", "only drivers/decode/planes.cpp, drivers/web/, appliance/authoring/import/, hw-sim/devices/ includes"),
     ("hw-sim/devices/a.cpp", "<usbredirparser.h>", "only hw-sim/links/ includes"),
 )
 
@@ -205,16 +209,35 @@ class Cycles(unittest.TestCase):
 class Rooms(unittest.TestCase):
     ROOT = pathlib.Path(__file__).parents[2]
 
-    def test_of_the_table_are_all_there(self):
-        rooms = {room for row in table.MAY_INCLUDE for room in (row[0], *row[1])}
-        rooms |= {room for _, rooms in table.LIBRARIES for room in rooms}
-        self.assertEqual([room for room in sorted(rooms) if not (self.ROOT / room).exists()], [])
+    @classmethod
+    def setUpClass(cls):
+        cls.paths = [path for path, _ in words.files(cls.ROOT)]
+
+    def gone(self, beginnings):
+        """Those that begin the path of no file."""
+        return [begin for begin in beginnings if not any(path.startswith(begin) for path in self.paths)]
+
+    def test_of_the_tables_are_all_there(self):
+        for name, beginnings in (("MAY_INCLUDE", {room for row in table.MAY_INCLUDE for room in (row[0], *row[1])}),
+                                 ("LIBRARIES", {room for _, rooms in table.LIBRARIES for room in rooms}),
+                                 ("PURE_ROOMS", table.PURE_ROOMS), ("FREESTANDING_ROOMS", table.FREESTANDING_ROOMS),
+                                 ("FOR_TESTS_TOO", table.FOR_TESTS_TOO), ("PRODUCT", unused.PRODUCT),
+                                 ("WITHIN", [begin for begin, _, _ in words.WITHIN]), ("EXEMPT", [begin for begin, _, _ in words.EXEMPT]),
+                                 ("PARTS", tidy.PARTS)):
+            with self.subTest(name):
+                self.assertEqual(self.gone(sorted(beginnings)), [])
+
+    def test_that_are_gone_are_named(self):
+        self.assertEqual(self.gone(["drivers/decode/", "drivers/decoders/", "docs/needles.", "docs/needle."]), ["drivers/decoders/", "docs/needle."])
 
     def test_of_bytes_to_values_call_no_system(self):
-        for path, file in direction.sources(self.ROOT):
-            if path.startswith(table.PURE_ROOMS):
-                found = [i.target for i in direction.includes(path, file)]
-                self.assertFalse([t for t in found if t.startswith(table.SYSTEM_HEADERS)], path)
+        for room in table.PURE_ROOMS:
+            for header in table.SYSTEM_HEADERS:
+                with self.subTest(room=room, header=header):
+                    found = against_direction(f"{room}a.cpp", f"#include <array>\n#include <{header}>\n")
+                    self.assertEqual(len(found), 1, found)
+                    self.assertIn(f"{room}a.cpp:2: {header}: bytes to values, and nothing else", found[0])
+        self.assertEqual(against_direction("drivers/hid/a.cpp", "#include <unistd.h>\n"), [])
 
 
 class Shape(unittest.TestCase):
@@ -250,6 +273,20 @@ class Shape(unittest.TestCase):
         before = '#include <fstream>\nint A() {\n  if (!fd.valid()) return FailErrno("open");\n  std::ifstream file(path);\n}\n'
         other = 'int B() {\n  return FailErrno("open");\n}\n'
         self.assertEqual(against_shape("hw-sim/a.cpp", before + other), [])
+
+    def test_names_a_line_that_is_torn_off_a_comments_sentence(self):
+        full = "// " + "It writes every property that the output needs, whatever state it is in. " * 2 + "It does so after its link"
+        for torn in ("// failed. `mode` is\n// the blob.\n", "// failed\n//   twice, with an entry\n", "// 14 of\n// them.\n"):
+            found = against_shape("render/gl/a.cpp", f"int x = 0;\n{full}\n{torn}")
+            self.assertEqual(len(found), 1, (torn, found))
+            self.assertTrue(found[0].startswith("render/gl/a.cpp: line 3: a short line in mid-sentence"), found)
+
+    def test_lets_short_lines_pass_that_end_a_sentence_or_an_entry_or_are_a_row(self):
+        full = "// " + "It writes every property that the output needs, whatever state it is in. " * 2
+        for right in (full + "It does\n// so.\n// Then it ends.\n", full.strip() + "\n// And so\n// it ends.\n", full + "It does\n// so\nint x = 0;\n",
+                      "//   name    " + full[3:] + "it\n//           says\n//   other   it was none\n",
+                      "//   0  u8   " + full[3:] + "it\n//   1  u8   0\n//   2  u16  the rest\n"):
+            self.assertEqual(against_shape("render/gl/a.cpp", right), [], right)
 
     def test_names_a_file_that_is_too_long(self):
         found = against_shape("render/gl/a.cpp", "\n" * 301)

@@ -119,8 +119,8 @@ said=$(PATH="$copy/bin:$PATH" flock "$copy/out/build/release/box.lock" timeout 2
 [[ $said == *"$waits"* ]] || { echo "box build beside another build said: $said"; failures=$((failures + 1)); }
 
 # What a command needs is installed before anything is configured, OpenCV that came after the build was configured is found,
-# and the build machine refuses warnings. The programs in place of those that install and build write down what they are
-# asked to do.
+# and the build machine refuses warnings, in a folder too that was configured without. The programs in place of those that
+# install and build write down what they are asked to do.
 done=$copy/done
 mkdir -p "$copy/out/build/release/bin"
 for program in apt-get cmake ninja; do printf '#!/bin/sh\necho "%s $*" >>"%s"\n' $program "$done" >"$copy/bin/$program"; done
@@ -139,12 +139,18 @@ printf '#!/bin/sh\nshift 2\nfor p; do case $p in *opencv*) ;; *) echo "installed
 does 'apt-get update*apt-get install*libopencv-core-dev*libopencv-imgproc-dev*cmake*ninja*' bench
 printf '#!/bin/sh\nshift 2\nfor p; do echo "installed $p"; done\n' >"$copy/bin/dpkg-query"
 touch "$copy/out/build/release/build.ninja"
-does 'ninja*' bench
+CI='' does 'ninja*' bench
 echo "OPENCV_CORE:FILEPATH=OPENCV_CORE-NOTFOUND" >"$copy/out/build/release/CMakeCache.txt"
 does 'cmake*ninja*' bench
 rm "$copy/out/build/release/build.ninja"
 CI=yes does 'cmake*-D KAORI_WERROR=ON*ninja*' build
 CI='' does 'cmake --preset release'$'\n''ninja*' build
+touch "$copy/out/build/release/build.ninja"
+echo "KAORI_WERROR:BOOL=OFF" >"$copy/out/build/release/CMakeCache.txt"
+CI=yes does 'cmake*-D KAORI_WERROR=ON*ninja*' build
+CI='' does 'ninja*' build
+echo "KAORI_WERROR:BOOL=ON" >"$copy/out/build/release/CMakeCache.txt"
+CI=yes does 'ninja*' build
 
 # How far a build is stands in a line every ten seconds, and what is no progress is not lost. Each line here takes six.
 said=$(bash -c "$(sed -n '/^show_progress()/,/^}/p' "$BOX")"'
@@ -152,6 +158,17 @@ said=$(bash -c "$(sed -n '/^show_progress()/,/^}/p' "$BOX")"'
   show_progress' <<<$'ninja: Entering directory\n[1 of 4, 6s] a\n[2 of 4, 12s] b\na warning\n[3 of 4, 24s] c\n[4 of 4, 30s] d')
 wanted=$'building: 1 of 4 steps\na warning\nbuilding: 3 of 4 steps'
 [ "$said" = "$wanted" ] || { echo "the progress of a build was said as: $said"; failures=$((failures + 1)); }
+
+# A build that is measured says the same, and the kernel's too; all of its words go to the log, and what it cost to the caller.
+measured="$(sed -n '/^readonly NINJA_LINE/p; /^show_progress()/,/^}/p' "$BOX"; sed -n '/^timed()/,/^}/p' "$REPOSITORY/tests/tests.sh")"'
+  read() { builtin read "$@" && SECONDS=$((SECONDS + 6)); }
+  timed "it took %0lR" "$@"'
+printf '#!/bin/sh\necho "[1 of 4, 6s] a\n${NINJA_STATUS%%%%%%*}2 of 4, 12s] b\na warning\n      7 of 70 objects of the kernel"\n' >"$copy/bin/measured"
+chmod +x "$copy/bin/measured"
+said=$(bash -c "$measured" measured "$copy/measured.log" "$copy/bin/measured" 2>&1 >"$copy/cost")
+wanted=$'building: 2 of 4 steps\n      7 of 70 objects of the kernel'
+[ "$said" = "$wanted" ] && [[ $(<"$copy/cost") == "it took 0m0"* && $(wc -l <"$copy/measured.log") -eq 4 ]] ||
+  { echo "a measured build said: $said; $(<"$copy/cost")"; failures=$((failures + 1)); }
 
 # What a stick holds is compared with what was written, the key beside the show too. cp spoils one of them in place of the stick.
 mkdir "$copy/stick"

@@ -71,7 +71,7 @@ std::vector<FileOption> OptionsOfTheBox() {
   };
 }
 
-// Of the programs that bring something onto the box, or let it in.
+// Of the programs that bring something onto the box, or authorise it.
 std::vector<FileOption> OptionsOfWhatComes() {
   const std::vector<std::string> shows{"--shows", "%/shows", "--root-keys", "%/none", "--keys", "%/none"};
   const std::vector<std::string> update{"--version", "%/version", "--slot", "%/slot", "--notes", "%"};

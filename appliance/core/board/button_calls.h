@@ -11,7 +11,7 @@
 namespace kaori::board {
 
 // What the buttons of the control surface call, for surfaces that have pictures on their keys.
-//   writer   kaori-stage when it starts
+//   writer   kaori-stage, when it starts
 //   readers  kaori-input, which shows the picture of each call (roles::SumOfCall); ShowNow has the sheet
 //   stale    never written so
 struct ButtonCalls {

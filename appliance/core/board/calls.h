@@ -53,8 +53,9 @@ struct Call {
 
 // The newest calls of one writer. A reader that remembers `count` of its last look reads the calls from there
 // on; where more than kKept lie between, the older ones are lost, and it knows how many.
-//   writer   see CallWriter; at each call
-//   readers  kaori-stage at each frame, and once more when it has been away: a call that was made meanwhile is handled then
+//   writer   kaori-input; whoever plays the box from a page or a network, in the demo its page (CallWriter): at each call
+//   readers  kaori-stage at each frame, and once more when it has been away: a call that was made meanwhile is handled then;
+//            the writers themselves when they start: kaori-input, in the demo its page
 //   stale    never written so
 struct Calls {
   static constexpr const char* kName = "calls";

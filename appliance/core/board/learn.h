@@ -28,7 +28,8 @@ inline constexpr std::uint32_t kLearnPhaseCount = 8;
 enum class LearnCall : std::uint32_t { kEnd, kBegin, kKeep, kTurnRound, kTurnKept, kTurnRefused };
 
 //   writer   kaori-stage at each frame while somebody teaches, and once when it has ended
-//   readers  kaori-input, which keeps what a turn has; kaori-status; who shows it to people: in the demo its page
+//   readers  kaori-input, which keeps what a turn has; kaori-shows, whose list waits meanwhile; kaori-stage, kaori-desk and
+//            kaori-status for people; who shows it to people: in the demo its page
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct Learn {
   static constexpr const char* kName = "learn";

@@ -55,7 +55,8 @@ struct CheckedItem {
 enum class LineCheckPhase : std::uint32_t { kNever, kRunning, kEnded };
 
 //   writer   kaori-stage at each frame while a check runs, and once when it has ended
-//   readers  kaori-stage for its log, kaori-status, kaori-desk; who shows it to people: in the demo its page
+//   readers  kaori-stage for its log; kaori-shows, whose list waits meanwhile; kaori-desk and kaori-status for people; who
+//            shows it to people: in the demo its page
 //   stale    never written so; a check that runs and is silent ended with its stage
 struct LineCheck {
   static constexpr const char* kName = "line_check";

@@ -46,7 +46,8 @@ struct PressLog {
 
 // The control surface: eight dials and 32 buttons.
 //   writer   kaori-input, at each report of the device, up to 1000 times a second, and when it comes or goes
-//   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
+//   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms; kaori-shows, for its list; kaori-desk
+//            and kaori-status for people; kaori-input itself when it starts
 //   stale    the box is unplugged: all buttons are released, dials keep their counts
 // The counts go on over plugs and restarts, wherever the dials themselves stand: only differences mean
 // something.
@@ -62,7 +63,7 @@ struct Surface {
 
 // A stick: [0] is the left one, which moves the head, [1] the right one, which moves gaze and brows.
 //   writer   kaori-input, at each report of the device
-//   readers  kaori-stage at each frame; kaori-input itself when it starts
+//   readers  kaori-stage at each frame; kaori-desk, kaori-shows and kaori-status for people; kaori-input itself when it starts
 //   stale    unplugged, or plugged in again and silent: axes as they were, buttons and hat released. Readers
 //            hold the axes for 0.25 s and then ease them to neutral
 struct Stick {
@@ -72,8 +73,7 @@ struct Stick {
   float twist = 0;        // -1 counter-clockwise .. 1 clockwise, seen from above.
   float slider = 0;       // 0 .. 1.
   std::int32_t hat = -1;  // 0 up, clockwise in eighths to 7; -1 centred.
-  // Bit n: button n is held, counted from 0; of a stick with more than 16 only the first 16 are counted as
-  // pushes.
+  // Bit n: button n is held, counted from 0; of a stick with more than 16 only the first 16 are counted as pushes.
   std::uint32_t buttons_down = 0;
   std::array<std::uint32_t, 16> pushes{};
   PressLog log{};  // Of the same pushes; codes are below 16.
@@ -87,7 +87,8 @@ struct Stick {
 
 // The keyboard, by usages of HID page 7.
 //   writer   kaori-input, at each report of the device
-//   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
+//   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms; kaori-shows, for its list; kaori-desk
+//            and kaori-status for people; kaori-input itself when it starts
 //   stale    unplugged: every key is released, counters stay
 struct Keys {
   static constexpr const char* kName = "keys";
@@ -98,7 +99,7 @@ struct Keys {
 
 // A mouse or a tablet: its position on the stage's picture, 0..1 from the left top.
 //   writer   kaori-input, at each report of the device
-//   readers  kaori-stage at each frame, for the expression editor
+//   readers  kaori-stage at each frame, for the expression editor; kaori-input itself when it starts
 //   stale    unplugged: buttons are released, the position stays
 struct Pointer {
   static constexpr const char* kName = "pointer";
@@ -114,7 +115,8 @@ inline constexpr std::uint32_t kEveryLine = 0x3F;
 
 // GPIO lines, numbered as in lines.h.
 //   writer   kaori-input, at each edge of a line, once it no longer bounces
-//   readers  kaori-stage at each frame; kaori-lips every 25 ms; kaori-input itself, for the tally lamp
+//   readers  kaori-stage at each frame; kaori-lips every 25 ms; for the service key kaori-data, kaori-power, kaori-report,
+//            kaori-shows and kaori-surface; kaori-desk and kaori-status for people; kaori-input itself, for the tally lamp
 //   stale    the chip is gone: every line is released. The stage keeps a blackout until a scene is called
 struct Lines {
   static constexpr const char* kName = "lines";
@@ -127,7 +129,7 @@ struct Lines {
 // mouth's width at rest: a mouth at rest is 1 wide and, shut, about a quarter high. The stamp is the middle
 // of the exposure.
 //   writer   kaori-lips, at each picture of the camera, 30 or 60 times a second
-//   readers  kaori-stage at each frame; kaori-desk and kaori-status; kaori-lips itself when it starts
+//   readers  kaori-stage at each frame; kaori-desk, kaori-shows and kaori-status for people; kaori-lips itself when it starts
 //   stale    the camera is gone or sends nothing: the mouth as it was last. The voice takes over
 // Live with a quality of 0 means that the camera works and finds no paint.
 struct Lips {
@@ -149,7 +151,7 @@ struct Lips {
 
 // The voice in the microphone, and the mouth that it would make.
 //   writer   kaori-lips, at each block of sound, every 5 to 10 ms
-//   readers  kaori-stage at each frame
+//   readers  kaori-stage at each frame; kaori-desk, kaori-shows and kaori-status for people
 //   stale    the microphone is gone: the face's own expression gets the mouth back
 struct Voice {
   static constexpr const char* kName = "voice";
@@ -162,8 +164,8 @@ struct Voice {
 };
 
 // The voice on its way to the loudspeaker, whose state is the section's source.
-//   writer   kaori-lips
-//   readers  kaori-status for people; kaori-lips itself when it starts
+//   writer   kaori-lips, 10 times a second, and when the loudspeaker goes
+//   readers  kaori-stage in a line check; kaori-desk, kaori-shows and kaori-status for people; kaori-lips itself when it starts
 //   stale    the loudspeaker is gone; figures are the last ones
 struct Sound {
   static constexpr const char* kName = "sound";
@@ -189,7 +191,7 @@ struct MotionNow {
 
 // The calibration of the lips that is under way at the box. Absent while there is none.
 //   writer   kaori-lips every 25 ms while it is under way, so that a silent one is seen to be over
-//   readers  kaori-stage at each frame, for its lamps and captions
+//   readers  kaori-stage at each frame, for its lamps and captions; kaori-shows, whose list waits meanwhile
 struct LipsGuide {
   static constexpr const char* kName = "lips_guide";
   std::uint32_t step = 0;      // 0 to 3: shut, open, wide, narrow; 4: all are measured, shall they be kept?
@@ -199,9 +201,8 @@ struct LipsGuide {
   std::uint32_t captions = 0;  // 1: the screen is for whoever works at the box, and may say it in words.
 };
 
-// Where the desk's page is, and the code by which a visitor is authorised. Live while the code is to be
-// shown.
-//   writer   kaori-desk, about once a second while it is
+// Where the desk's page is, and the code by which a visitor is authorised. Live while the code is to be shown.
+//   writer   kaori-desk, about once a second while the code is shown
 //   readers  kaori-stage at each frame, for its caption
 struct Desk {
   static constexpr const char* kName = "desk";
@@ -215,7 +216,7 @@ struct Desk {
 
 // The last messages of the MIDI devices, for people who want to know what a surface sends.
 //   writer   kaori-input, when messages have come
-//   readers  who shows it to people: in the demo its page
+//   readers  who shows it to people: in the demo its page; kaori-input itself when it starts
 //   stale    never written so
 struct MidiHeard {
   static constexpr const char* kName = "midi_heard";
@@ -235,7 +236,7 @@ struct MidiHeard {
 
 // The lamps in the buttons of the control surface.
 //   writer   kaori-stage, when they change
-//   readers  kaori-input every 5 ms, which lights them
+//   readers  kaori-input every 5 ms, which lights them; kaori-stage itself at each frame, which writes another state alone
 // Never stale: kaori-input lights what stands here until a stage writes something else.
 struct Lamps {
   static constexpr const char* kName = "lamps";
@@ -244,7 +245,9 @@ struct Lamps {
 
 // How the stage does.
 //   writer   kaori-stage at each frame; means once a second
-//   readers  kaori-status and kaori-desk; kaori-lips for the voice's delay; kaori-input for the tally lamp
+//   readers  kaori-lips for the voice's delay; kaori-input for the tally lamp; kaori-shows and kaori-update, whose work beside
+//            the face rests by it; kaori-surface, which asks whether a show runs; kaori-desk and kaori-status for people; who
+//            shows it to people: in the demo its page; kaori-stage itself when it starts
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct StageStatus {
   static constexpr const char* kName = "stage_status";

@@ -46,7 +46,9 @@ struct LevelShown {
 };
 
 //   writer   kaori-stage at each frame, seen or not
-//   readers  who shows it to people: in the demo its page
+//   readers  kaori-input, for keys with screens; kaori-lips, which begins no calibration while the show is locked;
+//            kaori-report, which sees the list's end; kaori-desk, kaori-shows and kaori-status for people; who shows it to
+//            people: in the demo its page; kaori-stage itself when it starts
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct ShowNow {
   static constexpr const char* kName = "show_now";

@@ -1,6 +1,5 @@
 #include "appliance/core/restore/apply.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,7 +11,6 @@
 #include "appliance/core/store/choice.h"
 #include "drivers/base/folder.h"
 #include "drivers/base/read_file.h"
-#include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::restore {
@@ -128,11 +126,7 @@ class Application {
     return Write(shows / store::kChoiceFiles[next.generation % 2], store::Format(next));
   }
   // Renames reach the disk in their order, and all of them before the plan goes.
-  Result<void> KeepNames() {
-    const UniqueFd fd(::open(data_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!fd.valid() || ::syncfs(fd.get()) < 0) return FailErrno("write " + data_.string());
-    return {};
-  }
+  Result<void> KeepNames() { return SyncFileSystem(data_); }
   Plan WayBack(const Plan& plan) const {
     Plan back;
     if (!plan.show.empty())

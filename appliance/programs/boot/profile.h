@@ -1,4 +1,4 @@
-// What the box is for tonight, as its settings file says: which devices it lets in, and what its lines are.
+// What the box is for tonight, as its settings file says: which devices it authorises, and what its lines are.
 #pragma once
 
 #include <array>

@@ -1,12 +1,9 @@
 #include "appliance/programs/boot/reset.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <system_error>
 
 #include "drivers/base/folder.h"
-#include "drivers/base/unique_fd.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::boot {
 namespace {
@@ -14,13 +11,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOfFileSystem = "lost+found";  // Where e2fsck puts what it finds.
-
-// All that was changed on this file system is on its disk afterwards.
-Result<void> SyncDisk(const fs::path& folder) {
-  const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!fd.valid() || ::syncfs(fd.get()) < 0) return FailErrno("write " + folder.string());
-  return {};
-}
 
 // What lies in a folder, but for one file.
 Result<void> EmptyFolder(const fs::path& folder, const fs::path& but, const Remove& remove) {
@@ -57,9 +47,9 @@ Result<void> RemoveAll(const fs::path& path) {
 Result<bool> ResetIfAsked(const fs::path& data, const Remove& remove) {
   if (!IsThere(data / kResetMarker)) return false;
   if (auto ok = EmptyPartition(data, remove); !ok) return tl::unexpected(ok.error());
-  if (auto ok = SyncDisk(data); !ok) return tl::unexpected(ok.error());
+  if (auto ok = SyncFileSystem(data); !ok) return tl::unexpected(ok.error());
   if (auto ok = remove(data / kResetMarker); !ok) return tl::unexpected(ok.error());
-  if (auto ok = SyncDisk(data); !ok) return tl::unexpected(ok.error());
+  if (auto ok = SyncFileSystem(data); !ok) return tl::unexpected(ok.error());
   return true;
 }
 

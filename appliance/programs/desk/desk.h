@@ -1,6 +1,6 @@
 // The desk: a web page on which the lips are calibrated, shows are taken and settings are seen and changed, before and between
-// shows. It is a program of its
-// own, since it talks to browsers of any visitor: whatever happens to it, stage, input and lips go on.
+// shows. It is a program of its own, since it talks to browsers of any visitor: whatever happens to it, stage, input and lips
+// go on.
 //
 //   GET  /hello                 {"paired": bool}; shows the code where not paired
 //   POST /pair                  body: the six digits; 204 and a cookie, 403, or 429

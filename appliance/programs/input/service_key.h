@@ -1,5 +1,5 @@
 // Tells the service manager of the key switch: a file that is there while the key is on. Units that are for
-// service alone start by it, and udev lets sticks in by it.
+// service alone start by it, and udev authorises sticks by it.
 #pragma once
 
 #include <filesystem>

@@ -16,8 +16,7 @@ namespace kaori::lips {
 // silence: the box would be found mute in the middle of an evening.
 Result<voice::VoiceServiceSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips);
 
-// The show that the stage plays, as it notes beside the board: an id of the store, or store::kRootShow; empty
-// without
+// The show that the stage plays, as it notes beside the board: an id of the store, or store::kRootShow; empty without
 // --shows. Blocks for a file in memory.
 std::string PlayedShow(const LipOptions& options);
 

@@ -10,6 +10,7 @@
 #include "drivers/base/long_call.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
 namespace {
@@ -117,9 +118,7 @@ class DiskFolder final : public Folder {
 
   Result<void> KeepNames() override {
     ExpectSlowDisk();
-    const UniqueFd fd(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("write the folder " + path_.string());
-    return {};
+    return SyncFolder(path_);
   }
 
  private:

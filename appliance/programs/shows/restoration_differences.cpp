@@ -40,7 +40,7 @@ std::string Restoration::FingerprintOf(const std::string& path) const {
   return key ? "  " + show::Fingerprint(*key) : "  no key";
 }
 
-// Each setting by itself: one of them may be a profile that lets everything in. A change of comments alone is a changed file.
+// Each setting by itself: one of them may be a profile that authorises everything. A change of comments alone is a changed file.
 std::vector<std::string> Restoration::DifferencesOfSettings() const {
   const std::string path(restore::kSettings);
   if (std::ranges::find(plan_.put, path) == plan_.put.end()) return {};

@@ -1,8 +1,6 @@
 #include "appliance/programs/shows/restore_disk.h"
 
-#include <fcntl.h>
 #include <sys/statvfs.h>
-#include <unistd.h>
 
 #include <cstdio>
 
@@ -11,7 +9,7 @@
 #include "drivers/base/folder.h"
 #include "drivers/base/long_call.h"
 #include "drivers/base/read_file.h"
-#include "drivers/base/unique_fd.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::shows {
 
@@ -25,12 +23,9 @@ Result<void> RenameOnDisk(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-// Returns once all that was written to the folder's disk is on it.
 Result<void> KeepDisk(const fs::path& folder) {
   ExpectSlowDisk();
-  const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!fd.valid() || ::syncfs(fd.get()) < 0) return FailErrno("write " + folder.string());
-  return {};
+  return SyncFileSystem(folder);
 }
 
 }  // namespace

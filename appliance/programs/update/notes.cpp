@@ -1,12 +1,10 @@
 #include "appliance/programs/update/notes.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <utility>
 
 #include "drivers/base/read_file.h"
-#include "drivers/base/unique_fd.h"
 #include "drivers/base/whole_file.h"
 
 namespace kaori::update {
@@ -63,9 +61,7 @@ class NotesFolder final : public Notes {
   Result<void> Remove(const char* name) {
     if (::unlink((folder_ / name).c_str()) < 0)
       return errno == ENOENT ? Result<void>{} : FailErrno("remove " + (folder_ / name).string());
-    const UniqueFd fd(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("write the folder " + folder_.string());
-    return {};
+    return SyncFolder(folder_);
   }
 
   std::filesystem::path folder_;

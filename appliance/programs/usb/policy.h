@@ -25,8 +25,7 @@ struct Situation {
 // A bridge to GPIO lines, of a number that the kernel has a driver for. The service key may hang at it.
 bool IsLineBridge(const decode::UsbOffer& offer);
 
-// Why the device at `port` ("1-2.1", the kernel's name) stays unauthorised; nothing: it is authorised. It is,
-// where
+// Why the device at `port` ("1-2.1", the kernel's name) stays unauthorised; nothing: it is authorised. It is, where
 //   the service key is on, and it offers storage and nothing else
 //   it names one of the makers of serial adapters of old dial boxes, and offers its maker's own class alone
 //   it is the box's bridge to GPIO lines: the first one of a start, and at its port ever after. Whoever brought another one

@@ -176,7 +176,7 @@ TEST(BoardUnderFire, TellsTheProcessThatHoldsASection) {
   }
   int status = -1;
   ::waitpid(child, &status, 0);
-  EXPECT_EQ(status, 0) << "another process was let in";
+  EXPECT_EQ(status, 0) << "another process got the writer too";
 }
 
 class Slots : public ::testing::Test {

@@ -109,7 +109,7 @@ TEST_F(CopiesTest, ABoxWithNothingGetsTheShowAndEverythingButTheNameAndTheReport
   EXPECT_EQ(Text("own/log/evening"), "nothing") << "a report says what one box did";
 }
 
-// Whoever agrees has seen whom the box would trust and what it would let in, however much comes besides.
+// Whoever agrees has seen whom the box would trust and what it would authorise, however much comes besides.
 TEST_F(CopiesTest, ARestoreHidesNoKeyAndNoSettingBehindManyFiles) {
   const auto name = [](int n) { return "own/0" + std::to_string(n) + "-smile.toml"; };
   for (int n = 1; n < 10; ++n) Put(name(n), "smile");
