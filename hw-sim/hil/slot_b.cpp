@@ -46,7 +46,7 @@ Result<std::string> ContentOf(const std::string& disk, const std::vector<DiskSpa
 Result<std::vector<DiskSpan>> SlotB(const std::string& disk) {
   std::vector<DiskSpan> all;
   for (const PartOfB& part : kPartsOfB) {
-    const auto its = PlacesOf(disk, part);
+    auto its = PlacesOf(disk, part);
     if (!its) return its;
     all.insert(all.end(), its->begin(), its->end());
   }
@@ -56,7 +56,7 @@ Result<std::vector<DiskSpan>> SlotB(const std::string& disk) {
 // loader.conf has a short name of which no other file of an image has the beginning.
 Result<std::vector<DiskSpan>> PlacesOfAnUpdate(const std::string& disk) {
   auto places = SlotB(disk);
-  const auto settings = BootFile(disk, {"LOADER     ", "LOADER~1CON"});
+  auto settings = BootFile(disk, {"LOADER     ", "LOADER~1CON"});
   const auto data = PartitionSpan(disk, "data");
   if (!places) return places;
   if (!settings) return settings;

@@ -93,7 +93,7 @@ Result<void> TryCuts(Scene& scene) {
   figures["try_writes"] = static_cast<double>(logs->told.entries().size() - *first);
   figures["try_struck_writes"] = static_cast<double>(logs->struck.entries().size());
   if (logs->struck.entries().empty()) return FailInput("nobody struck the try in the start that it was for");
-  const auto ok = CutTry(scene, *logs, *first);
+  auto ok = CutTry(scene, *logs, *first);
   scene.finding.said = fmt::format(
       "{:.0f} cuts in the {:.0f} writes by which a try is kept and the {:.0f} by which it is struck left a "
       "face each",

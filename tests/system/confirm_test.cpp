@@ -49,7 +49,8 @@ class TriedVersion : public ::testing::Test {
   // Until it looks.
   void StartLook() {
     programs_.Start("kaori-update", Words());
-    ASSERT_TRUE(Await([&] { return !Read("looking").empty(); })) << programs_.LogOf("kaori-update");
+    ASSERT_TRUE(Await([&] { return !Read("looking").empty() && !Read("notes/last-try").empty(); }))
+        << programs_.LogOf("kaori-update");
   }
   bool AsksForARestart() const { return Read("asked").find("reboot") != std::string::npos; }
 
