@@ -34,7 +34,7 @@ Result<std::string> ContentOf(const std::string& disk, const std::vector<DiskSpa
   std::string content;
   for (DiskSpan span : places) {
     span.bytes = std::min<std::uint64_t>(span.bytes, most_bytes - content.size());
-    const auto read = ReadPart(disk, span);
+    auto read = ReadPart(disk, span);
     if (!read) return read;
     content += *read;
   }
