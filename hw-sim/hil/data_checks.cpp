@@ -43,18 +43,17 @@ struct Ruin {
 };
 
 constexpr std::size_t kAll = ~std::size_t{};  // To the partition's end.
+constexpr std::string_view kMendedAtStart = "was damaged and is mended";
 
-// The first two are mended by mounting alone, the third by e2fsck. The fourth is as the kernel leaves one in which it has met an error,
-// and is mended at the next start; the fifth too, but e2fsck removes a folder of it only when it is told to. Of the sixth e2fsck finds a copy of the
-// superblock, and no more than that: its folders are made anew. Nothing mends the last.
+// The first four, of which the last is as the kernel leaves one in which it has met an error, are mended at the start. The fifth too would be, but
+// e2fsck removes a folder of it only when it is told to. Of the sixth e2fsck finds a copy of the superblock, and no more than that: its folders are
+// made anew. Nothing mends the last.
 constexpr std::array kRuins{
-    Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, true, "is mounted by a copy", "",
+    Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, true, kMendedAtStart, "", true},
+    Ruin{"a superblock of zeroes", nullptr, kDataBlock_bytes, kDataBlock_bytes, false, kMendedAtStart, "",
          true},
-    Ruin{"a superblock of zeroes", nullptr, kDataBlock_bytes, kDataBlock_bytes, false, "is mounted by a copy",
-         "", true},
-    Ruin{"a lost journal", "clri <8>\n", 0, 0, false, "cannot be mounted", "is mended", true},
-    Ruin{"errors that were met", "ssv error_count 3\nssv state 2\n", 0, 0, false, "had errors and is mended",
-         "", true},
+    Ruin{"a lost journal", "clri <8>\n", 0, 0, false, kMendedAtStart, "", true},
+    Ruin{"errors that were met", "ssv error_count 3\nssv state 2\n", 0, 0, false, kMendedAtStart, "", true},
     Ruin{"errors that cost a folder", "sif lips block[0] 0\nssv error_count 3\nssv state 2\n", 0, 0, false,
          "has errors that want a person's word", "is mended in part", true},
     Ruin{"noise over its beginning", nullptr, 0, std::size_t{48} << 20U, true, "cannot be mounted",
@@ -141,7 +140,7 @@ Result<void> WantMended(Scene& scene, const Ruin& ruin) {
   if (ok) ok = WantKept(scene, ruin);
   box.Off();
   // The next start finds a whole one.
-  if (ok && !ruin.at_end.empty()) {
+  if (ok) {
     ok = box.Play(SetupOn(*disk));
     if (ok) ok = WantKept(scene, ruin);
     if (ok && WantSaid(scene, ruin, "the data partition", seconds(2)))
@@ -157,8 +156,10 @@ Result<void> Ruined(Scene& scene) {
   for (const Ruin& ruin : kRuins)
     if (auto ok = WantMended(scene, ruin); !ok) return ok;
   scene.finding.said =
-      "a superblock of noise or of zeroes: mounted by its copy; by the service key a lost journal: mended; "
-      "noise over its beginning: mended in part, and said so; noise: made anew";
+      "at the start a superblock of noise or of zeroes, a lost journal and errors: mended; by the service "
+      "key "
+      "errors that cost a folder, and noise over its beginning: mended in part, and said so; noise: made "
+      "anew";
   return {};
 }
 

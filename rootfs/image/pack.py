@@ -118,8 +118,7 @@ def make_data(out, size_mib):
     data = out / "data.ext4"
     data.unlink(missing_ok=True)
     run("mke2fs", "-q", "-t", "ext4", "-U", DATA_UUID, "-E", f"hash_seed={DATA_UUID},lazy_itable_init=0", "-m", "0",
-        # An error leaves it as it is, for the check at the next start.
-        "-e", "remount-ro", "-L", "kaori-data", data, f"{size_mib}M")
+        "-L", "kaori-data", data, f"{size_mib}M")
     users = {line.split(":")[0]: line.split(":") for line in (out / "root/etc/passwd").read_text().splitlines()}
     settings = Path(__file__).with_name("box.toml")
     for change in ("mkdir journal", "mkdir settings", f"write {settings} settings/box.toml",

@@ -20,11 +20,23 @@ namespace {
 // e2fsck(8): 1 errors were mended, 2 the same and the system should start anew, which it does here.
 constexpr int kMostMended = 3;
 constexpr int kNotStarted = 127;
-constexpr std::chrono::seconds kLongestCheck(60);  // The splash is there meanwhile.
+constexpr std::chrono::seconds kLongestCheck(40);  // The splash is there meanwhile.
 
-// ext4 keeps copies of its superblock. These are where it and its first copy lie, with blocks of 1 KiB and of
-// 4 KiB (ext4(5), sb=, in KiB).
-constexpr std::array<const char*, 3> kSuperblocks{"", "sb=8193", "sb=131072"};
+// ext4 keeps copies of its superblock. Without a word, and with the first copy, as it lies with blocks of 4 KiB and of 1 KiB, e2fsck finds
+// the file system by these (e2fsck(8)).
+constexpr std::array<std::array<const char*, 4>, 3> kSuperblocks{
+    {{}, {"-b", "32768", "-B", "4096"}, {"-b", "8193", "-B", "1024"}}};
+
+// By e2fsck, which is to ask nobody: what costs a file or a name is not done.
+bool IsMended(const std::string& device) {
+  return std::ranges::any_of(kSuperblocks, [&](const auto& superblock) {
+    std::vector<std::string> words{"/sbin/e2fsck", "-p"};
+    for (const char* word : superblock)
+      if (word != nullptr) words.emplace_back(word);
+    words.push_back(device);
+    return IsMendedBy(words, kLongestCheck);
+  });
+}
 
 void ReportRuined(const std::string& device, const std::string& why) {
   Report("the data partition " + device + " " + why + ": nothing is kept until the service key is on",
@@ -39,27 +51,18 @@ DataPartition MountDataPartition(const char* place, unsigned long flags) {
     return Report("there is no data partition beside the root: nothing is kept", Trouble::kData),
            DataPartition{};
   const std::string device = "/dev/" + *partition;
-  const auto mounts = [&](const char* options) {
-    return ::mount(device.c_str(), place, "ext4", flags, options) == 0;
-  };
-  const auto* const by = std::ranges::find_if(kSuperblocks, mounts);
-  if (by == kSuperblocks.end()) {
-    ReportRuined(device, "cannot be mounted");
-    return {.name = *partition, .is_ruined = true};
-  }
-  if (ErrorsOn("/sys/fs/ext4", *partition) > 0) {
-    ::umount(place);
-    if (!IsMendedBy({"/sbin/e2fsck", "-p", device}, kLongestCheck) || !mounts("")) {
-      ReportRuined(device, "has errors that want a person's word");
-      return {.name = *partition, .is_ruined = true, .has_errors = true};
-    }
-    Report("the data partition " + device + " had errors and is mended: what could be saved is there",
+  const auto mounts = [&] { return ::mount(device.c_str(), place, "ext4", flags, "") == 0; };
+  const bool can_be_mounted = mounts();
+  if (can_be_mounted && ErrorsOn("/sys/fs/ext4", *partition) == 0)
+    return {.name = *partition, .is_mounted = true};
+  if (can_be_mounted) ::umount(place);
+  if (IsMended(device) && mounts()) {
+    Report("the data partition " + device + " was damaged and is mended: what could be saved is there again",
            Trouble::kData);
-  } else if (by != kSuperblocks.begin()) {
-    Report("the data partition " + device + " has lost its first superblock and is mounted by a copy",
-           Trouble::kData);
+    return {.name = *partition, .is_mounted = true};
   }
-  return {.name = *partition, .is_mounted = true};
+  ReportRuined(device, can_be_mounted ? "has errors that want a person's word" : "cannot be mounted");
+  return {.name = *partition, .is_ruined = true, .has_errors = can_be_mounted};
 }
 
 std::uint64_t ErrorsOn(const std::filesystem::path& folder, const std::string& partition) {

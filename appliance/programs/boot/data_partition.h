@@ -21,9 +21,9 @@ struct DataPartition {
 };
 
 // Mounts it at `place` with these flags of mount(2), and reports what is not as it should be. /sys has to be mounted. Where this fails
-// systemd tries once more, and the show plays without. One on which the kernel has met errors since its last check is checked first, and
-// mended where e2fsck does so without asking: it would else become worse with every start. Blocks for the disk, a minute longer
-// for such a check. The process must have one thread.
+// systemd tries once more, and the show plays without. One that cannot be mounted, or in which the kernel has met errors since its last check,
+// is checked first, and mended where e2fsck does so without asking: it would else become worse with every start. Blocks for the
+// disk, two minutes longer at most for such a check. The process must have one thread.
 DataPartition MountDataPartition(const char* place, unsigned long flags);
 
 // How many errors a mounted ext4 has noted in its superblock since it was last checked (the kernel's sysfs, errors_count).

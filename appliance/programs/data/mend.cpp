@@ -92,8 +92,8 @@ Words WordsOf(Mended mended) {
 
 // As the image's builder makes it. -F: what is left of the old file system is no reason to ask.
 Result<void> MakeAnew(const Partition& partition) {
-  return RunWell(partition, {kMake, "-q", "-F", "-t", "ext4", "-m", "0", "-e", "remount-ro", "-L",
-                             "kaori-data", "-d", partition.folders, partition.device});
+  return RunWell(partition, {kMake, "-q", "-F", "-t", "ext4", "-m", "0", "-L", "kaori-data", "-d",
+                             partition.folders, partition.device});
 }
 
 }  // namespace
