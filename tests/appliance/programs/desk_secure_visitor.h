@@ -53,6 +53,18 @@ class SecureVisitor {
     return gnutls_record_send(session_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
   }
 
+  // Whether something is said within a second; false where the other side has hung up.
+  bool Hears() {
+    std::array<char, 1024> bytes;
+    for (int turn = 0; turn < 1000; ++turn) {
+      const ssize_t got = gnutls_record_recv(session_, bytes.data(), bytes.size());
+      if (got > 0) return true;
+      if (got == 0 || gnutls_error_is_fatal(static_cast<int>(got)) != 0) return false;
+      Wait();
+    }
+    return false;
+  }
+
   // A whole reply to a request; what came of it where the other side hangs up or is silent for a second.
   std::string Ask(std::string_view request) {
     std::string all;
