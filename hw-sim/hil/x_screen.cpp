@@ -129,8 +129,8 @@ Result<Process> StartXvfb(int number, const std::string& size, const std::string
 
 }  // namespace
 
-// The number is ours by our own, so that two benches hardly ever ask for the same. Xvfb was seen to refuse one that was free, whose
-// server had just been killed: another is as good.
+// The number is ours by our own, so that two benches hardly ever ask for the same. Xvfb refuses one whose last server was killed where
+// the process that its lock names is another one by now, as on a machine that starts many: another number is as good.
 Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
   constexpr int kTries = 5;
   const Sides across = SidesFor(options.width_px, kBegunWidth_px);
