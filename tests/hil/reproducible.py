@@ -21,9 +21,16 @@ SAME = ("shaders/still.ppm", "shaders/shaders.foz", "shaders/shaders_idx.foz", "
         "cmdline-b", "boot.vfat", "data.ext4", "kaori.disk")
 
 
-def build(programs, kept, out):
+def keys_of(image):
+    """The options by which the image was given public keys, of shows and of updates."""
+    kept = image / "root/usr/share/kaori"
+    return [word for option, folder in (("--trust", "keys"), ("--update-key", "update-keys"))
+            for key in sorted((kept / folder).glob("*")) for word in (option, key)]
+
+
+def build(programs, kept, out, keys):
     out.mkdir()
-    subprocess.run([BUILD, "--out", out, "--programs", programs, "--kept", kept], check=True, stderr=subprocess.DEVNULL)
+    subprocess.run([BUILD, "--out", out, "--programs", programs, "--kept", kept, *keys], check=True, stderr=subprocess.DEVNULL)
 
 
 def root_hash(out):
@@ -51,7 +58,7 @@ def main():
     with tempfile.TemporaryDirectory(dir="/var/tmp") as folder:
         again = Path(folder) / "deeper" / "image"
         again.parent.mkdir()
-        build(args.programs, kept, again)
+        build(args.programs, kept, again, keys_of(args.image))
         for name in SAME:
             same = filecmp.cmp(args.image / name, again / name, shallow=False)
             print(f"{'ok  ' if same else 'FAIL'}  {name}", flush=True)
