@@ -199,3 +199,13 @@ choose_labels() {
   labels=$SHOWS/$(basename "$pack" .kaori).labels.json
   $BIN/kaori-atelier labels "$pack" "$labels" || fail "$pack cannot be played; the reason stands above"
 }
+
+# Pictures of every face with every expression, of the show that is built here.
+sheet() {
+  local folder=$PWD/out/sheets
+  [[ $# -le 1 && ${1:-} != -* ]] || fail "sheet takes the name of one FOLDER; see ./box help"
+  [ $# -eq 0 ] || folder=$(from_caller "$1")
+  need "${BUILD_PACKAGES[@]}"
+  build release programs
+  exec $BIN/kaori-atelier sheet $PACK "$folder"
+}

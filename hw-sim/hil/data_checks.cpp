@@ -45,9 +45,9 @@ struct Ruin {
 constexpr std::size_t kAll = ~std::size_t{};  // To the partition's end.
 constexpr std::string_view kMendedAtStart = "was damaged and is mended";
 
-// The first four, of which the last is as the kernel leaves one in which it has met an error, are mended at the start. The fifth too would be, but
-// e2fsck removes a folder of it only when it is told to. Of the sixth e2fsck finds a copy of the superblock, and no more than that: its folders are
-// made anew. Nothing mends the last.
+// The first four are mended at the start; the last of them is as the kernel leaves one in which it has met an error. So would the
+// fifth be, but e2fsck removes a folder of it only when it is told to. Of the sixth e2fsck finds a copy of the superblock, and no more
+// than that: its folders are made anew. Nothing mends the last.
 constexpr std::array kRuins{
     Ruin{"a torn superblock", nullptr, kDataBlock_bytes, kDataBlock_bytes, true, kMendedAtStart, "", true},
     Ruin{"a superblock of zeroes", nullptr, kDataBlock_bytes, kDataBlock_bytes, false, kMendedAtStart, "",
@@ -156,10 +156,9 @@ Result<void> Ruined(Scene& scene) {
   for (const Ruin& ruin : kRuins)
     if (auto ok = WantMended(scene, ruin); !ok) return ok;
   scene.finding.said =
-      "at the start a superblock of noise or of zeroes, a lost journal and errors: mended; by the service "
+      "at the start mended: a superblock of noise or of zeroes, a lost journal, and errors; by the service "
       "key "
-      "errors that cost a folder, and noise over its beginning: mended in part, and said so; noise: made "
-      "anew";
+      "in part, and said so: errors that cost a folder, and noise over its beginning; made anew: noise";
   return {};
 }
 

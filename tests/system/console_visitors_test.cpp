@@ -1,6 +1,5 @@
 // The simulator's page over real sockets: who says nothing, fills the places, or asks for a path that ends early.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <memory>
@@ -17,7 +16,9 @@
 namespace kaori::console {
 namespace {
 
+using tests::AllowManyDescriptors;
 using tests::Asked;
+using tests::CrowdOf;
 using tests::IsWhole;
 using tests::RequestOf;
 using tests::StatusOf;
@@ -55,15 +56,8 @@ class ConsoleVisitors : public ::testing::Test {
 };
 
 TEST_F(ConsoleVisitors, DoNotWaitForAThousandWhoSayNothingOrHalfAWord) {
-  rlimit descriptors{};
-  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &descriptors), 0);
-  descriptors.rlim_cur = descriptors.rlim_max;
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &descriptors), 0);
-  std::vector<std::unique_ptr<Visitor>> crowd;
-  for (int n = 0; n < 1000; ++n) {
-    crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
-    if (n % 2 == 1) crowd.back()->Send("GET / HT");
-  }
+  ASSERT_NO_FATAL_FAILURE(AllowManyDescriptors());
+  const auto crowd = CrowdOf(1000, port_, Pump(), "GET / HT");
   const auto came = std::chrono::steady_clock::now();
   EXPECT_EQ(StatusOf(Ask({.path = "/state"})), 200) << "of the crowd's own address";
   EXPECT_LT(std::chrono::steady_clock::now() - came, kLongestAnswer);

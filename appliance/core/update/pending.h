@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,5 +29,8 @@ struct Pending {
 // One line, "12 B 1", and back; nothing for a text that is anything else. Pure.
 std::string Format(const Pending& pending);
 std::optional<Pending> ParsePending(std::string_view text);
+
+// The note in a file; nothing where it is not there, or is anything else. Blocks for the disk.
+std::optional<Pending> ReadPending(const std::filesystem::path& file);
 
 }  // namespace kaori::update

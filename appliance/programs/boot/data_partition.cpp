@@ -62,7 +62,7 @@ DataPartition MountDataPartition(const char* place, unsigned long flags) {
     return {.name = *partition, .is_mounted = true};
   }
   ReportRuined(device, can_be_mounted ? "has errors that want a person's word" : "cannot be mounted");
-  return {.name = *partition, .is_ruined = true, .has_errors = can_be_mounted};
+  return {.name = *partition, .has_errors = can_be_mounted};
 }
 
 std::uint64_t ErrorsOn(const std::filesystem::path& folder, const std::string& partition) {

@@ -14,10 +14,11 @@ struct DataPartition {
   // As "vda5"; empty where the disk of the root has none.
   std::string name{};
   bool is_mounted = false;
-  // It is not mounted, and kaori-data is to mend it with the service key on.
-  bool is_ruined = false;
   // It could be mounted, but has errors that e2fsck mends only with a person's word: nobody may mount it before.
   bool has_errors = false;
+
+  // kaori-data is to mend it with the service key on.
+  bool is_ruined() const { return !name.empty() && !is_mounted; }
 };
 
 // Mounts it at `place` with these flags of mount(2), and reports what is not as it should be. /sys has to be mounted. Where this fails

@@ -193,7 +193,7 @@ std::string ApplySettings(const kaori::boot::DataPartition& data) {
   // By it udev makes the link that systemd mounts: another disk may have a partition of the same number.
   if (!data.name.empty()) WriteSetting("data-" + data.name, {});
   if (data.has_errors) WriteSetting("data_errors", {});
-  if (data.is_ruined) WriteSetting("data_ruined", "/dev/" + data.name);
+  if (data.is_ruined()) WriteSetting("data_ruined", "/dev/" + data.name);
   return profile.box_name;
 }
 

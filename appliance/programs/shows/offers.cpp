@@ -49,19 +49,14 @@ std::vector<Choosable> WaysBack(const Folder& shows) {
 }
 
 std::vector<Choosable> WaysOn(const std::filesystem::path& pending, const std::filesystem::path& before) {
-  // A note has a version's number and little else; a longer file is none.
-  constexpr std::size_t kMostNote_bytes = 64;
-  const auto read = [](const std::filesystem::path& note) {
-    return update::ParsePending(ReadFile(note, {.most_bytes = kMostNote_bytes}).value_or(""));
-  };
   const auto restart = [](std::string name) -> std::vector<Choosable> {
     return {
         {.kind = Choosable::Kind::kRestart, .offer = {.file = {}, .name = std::move(name)}, .remark = {}}};
   };
-  if (const auto waits = read(pending))
+  if (const auto waits = update::ReadPending(pending))
     return restart("restart the box to try " +
                    (waits->version == 0 ? "its other system" : fmt::format("version {}", waits->version)));
-  if (const auto was = read(before))
+  if (const auto was = update::ReadPending(before))
     return restart(fmt::format("restart the box to go back to version {}", was->version));
   return {};
 }

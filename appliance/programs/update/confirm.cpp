@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "appliance/core/board/board.h"
+#include "appliance/programs/update/kernel_log.h"
 #include "appliance/programs/update/looking.h"
 #include "appliance/programs/update/looks.h"
 #include "appliance/programs/update/restart.h"
@@ -59,18 +60,16 @@ class Looks {
       : places_(places), restarts_(restarts), last_(PictureOf(places.last_face)) {}
 
   // Looks at everything once, the cheapest first: what is found becomes the reason where the system gives way.
-  Reason FaultNow() {
+  Reason FaultNow(Time now) {
     std::vector<std::string> ask{places_.systemctl, "show", "--property=Id,ActiveState,NRestarts"};
     ask.insert(ask.end(), kPrograms.begin(), kPrograms.end());
     const auto programs = OutputOf(ask, kMostJournal_bytes, kLongestAnswer);
     if (!programs) return {programs.error().message(), "プログラムの状態を調べられません"};
     if (auto fault = ProgramsFault(*programs, kPrograms.size(), restarts_); !fault.empty()) return fault;
-    const auto log = OutputOf({"/bin/journalctl", "-k", "-b", "--no-pager", "-o", "cat"}, kMostJournal_bytes,
-                              kLongestAnswer);
+    const auto log = ReadKernelLog();
     if (!log) return {log.error().message(), "カーネルのログを読めません"};
     if (auto fault = DiskFault(*log); !fault.empty()) return fault;
-    if (auto fault = frames_.Fault(NewestFlip(places_.board), SteadyClock().now()); !fault.empty())
-      return fault;
+    if (auto fault = frames_.Fault(NewestFlip(places_.board), now); !fault.empty()) return fault;
     std::error_code none;
     const auto made = fs::last_write_time(places_.picture, none);
     if (none || std::exchange(made_, made) == made)
@@ -89,6 +88,12 @@ class Looks {
   fs::file_time_type made_{};
 };
 
+// The exit status: another than 0 where the restart was refused.
+int Restart(const TrialPlaces& places, Stop stop) {
+  const auto told = RestartMachine(places.systemctl, stop);
+  return told ? 0 : ExitWithError(told.error());
+}
+
 // Keeps the reason and starts the system before.
 int BackWith(const TrialPlaces& places, Notes& notes, const Reason& reason) {
   const auto log = OutputOf({"/bin/journalctl", "-b", "--no-pager", "-o", "short-monotonic"},
@@ -96,8 +101,7 @@ int BackWith(const TrialPlaces& places, Notes& notes, const Reason& reason) {
   ExpectSlowDisk();
   if (auto kept = GiveWay(notes, reason, log.value_or("")); !kept) LogWarning("{}", kept.error().message());
   LogError("this version gives way to the one before: {}", reason.english);
-  const auto told = RestartMachine(places.systemctl);
-  return told ? 0 : ExitWithError(told.error());
+  return Restart(places, Stop::kInOrder);
 }
 
 // One that does well and cannot be kept gives way too: at the next start it would be the one before all the same, without a reason.
@@ -121,7 +125,7 @@ int LookOn(const TrialPlaces& places, ports::BootChoice& choice, Notes& notes, s
   Mark(places, "wanted");
   int status = 0;
   const auto look = [&] {
-    const auto verdict = confirmation.Observe(looks.FaultNow(), clock.now());
+    const auto verdict = confirmation.Observe(looks.FaultNow(clock.now()), clock.now());
     if (verdict == Verdict::kLooking) return;
     status = End(places, verdict, confirmation.reason(), choice, notes, version);
     loop.Stop();
@@ -166,10 +170,7 @@ void TellStatus(const fs::path& said, const Outcome& outcome) {
 // A look that hung is never made again: nobody could say when it ends.
 int Confirm(const TrialPlaces& places) {
   const int in_vain = LooksInVain(LookFile(places));
-  if (in_vain > 1) {
-    const auto told = RestartMachine(places.systemctl, Stop::kAtOnce);
-    return told ? 0 : ExitWithError(told.error());
-  }
+  if (in_vain > 1) return Restart(places, Stop::kAtOnce);
   const auto running = ReadSlot(places.slot);
   if (!running) return ExitWithError(running.error());
   const auto notes = OpenNotes(places.notes);

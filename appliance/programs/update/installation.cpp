@@ -171,8 +171,8 @@ void Installation::ReadPiece() {
   stage_ = Stage::kBegin;
 }
 
-// What waited in that slot, or ran there before, is lost with the first write, and must not be tried. Room for the note at the end is taken first: half an
-// hour of writing is not to end in a full partition.
+// What waited in that slot, or ran there before, is lost with the first write, and must not be tried. Room for the note at the end
+// is taken first: half an hour of writing is not to end in a full partition.
 void Installation::Begin() {
   if (auto ok = notes_.ForgetPending(); !ok) return RefuseNote(ok.error());
   if (auto ok = notes_.Reserve(); !ok) return RefuseNote(ok.error());

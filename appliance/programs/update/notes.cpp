@@ -10,7 +10,6 @@
 namespace kaori::update {
 namespace {
 
-constexpr std::size_t kMostPending_bytes = 64;
 constexpr std::size_t kMostLastTry_bytes = std::size_t{128} << 10U;
 // A last try with its log, the two short notes, and what the file system needs for their names.
 constexpr std::size_t kReserved_bytes = kMostLastTry_bytes + (std::size_t{32} << 10U);
@@ -20,14 +19,10 @@ class NotesFolder final : public Notes {
  public:
   explicit NotesFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  std::optional<Pending> ReadPending() const override {
-    return ParsePending(ReadFile(folder_ / "pending", {.most_bytes = kMostPending_bytes}).value_or(""));
-  }
+  std::optional<Pending> ReadPending() const override { return update::ReadPending(folder_ / "pending"); }
   Result<void> KeepPending(const Pending& pending) override { return Keep("pending", Format(pending)); }
   Result<void> ForgetPending() override { return Remove("pending"); }
-  std::optional<Pending> ReadBefore() const override {
-    return ParsePending(ReadFile(folder_ / "before", {.most_bytes = kMostPending_bytes}).value_or(""));
-  }
+  std::optional<Pending> ReadBefore() const override { return update::ReadPending(folder_ / "before"); }
   Result<void> KeepBefore(const Pending& before) override { return Keep("before", Format(before)); }
   Result<void> ForgetBefore() override { return Remove("before"); }
   std::string ReadLastTry() const override {

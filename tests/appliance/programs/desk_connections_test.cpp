@@ -1,7 +1,6 @@
 // The desk's connections: who is slow, says nothing, offers weak ciphers or fills the places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include "tests/appliance/programs/desk_secure_visitor.h"
 #include "tests/appliance/programs/desk_visitors_fixture.h"
@@ -91,15 +90,8 @@ TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
 }
 
 TEST_F(DeskVisitors, DoNotWaitForAThousandWhoSayNothingOrHalfAWord) {
-  rlimit descriptors{};
-  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &descriptors), 0);
-  descriptors.rlim_cur = descriptors.rlim_max;
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &descriptors), 0);
-  std::vector<std::unique_ptr<Visitor>> crowd;
-  for (int n = 0; n < 1000; ++n) {
-    crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
-    if (n % 2 == 1) crowd.back()->Send("GET / HT");
-  }
+  ASSERT_NO_FATAL_FAILURE(AllowManyDescriptors());
+  const auto crowd = CrowdOf(1000, port_, Pump(), "GET / HT");
   const auto came = std::chrono::steady_clock::now();
   EXPECT_EQ(Status({}), 200) << "of the crowd's own address";
   const auto waited = std::chrono::steady_clock::now() - came;

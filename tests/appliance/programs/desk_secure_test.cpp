@@ -1,6 +1,5 @@
 // Over TLS the desk is as hard to fill as without: who begins a handshake and says no more keeps nobody waiting.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <memory>
@@ -26,14 +25,8 @@ class SecureDeskVisitors : public DeskVisitors {
 
   SecureVisitor ComeSecurely(std::uint32_t host = 1) { return {port_, Pump(), "NORMAL", host}; }
   int SecureStatus(const Asked& asked) { return StatusOf(ComeSecurely().Ask(RequestOf(asked, port_))); }
-  // So many who say nothing, or half of a hello.
   std::vector<std::unique_ptr<Visitor>> Crowd(int count) {
-    std::vector<std::unique_ptr<Visitor>> crowd;
-    for (int n = 0; n < count; ++n) {
-      crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
-      if (n % 2 == 1) crowd.back()->Send(kHalfAHello);
-    }
-    return crowd;
+    return CrowdOf(count, port_, Pump(), kHalfAHello);
   }
   // The cookie of a new session.
   std::string PairSecurely() {
@@ -50,10 +43,7 @@ class SecureDeskVisitors : public DeskVisitors {
 };
 
 TEST_F(SecureDeskVisitors, DoNotWaitForAThousandWhoSayNothingOrHalfAHello) {
-  rlimit descriptors{};
-  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &descriptors), 0);
-  descriptors.rlim_cur = descriptors.rlim_max;
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &descriptors), 0);
+  ASSERT_NO_FATAL_FAILURE(AllowManyDescriptors());
   const auto crowd = Crowd(1000);
   const auto came = std::chrono::steady_clock::now();
   EXPECT_EQ(SecureStatus({}), 200) << "of the crowd's own address";

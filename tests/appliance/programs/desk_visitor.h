@@ -2,14 +2,18 @@
 #pragma once
 
 #include <arpa/inet.h>
+#include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -76,6 +80,26 @@ class Visitor {
   std::function<void()> pump_;
   bool connected_ = false;
 };
+
+// So many visitors who say nothing, or, each second one, only this beginning.
+inline std::vector<std::unique_ptr<Visitor>> CrowdOf(int count, std::uint16_t port,
+                                                     const std::function<void()>& pump,
+                                                     std::string_view beginning) {
+  std::vector<std::unique_ptr<Visitor>> crowd;
+  for (int n = 0; n < count; ++n) {
+    crowd.push_back(std::make_unique<Visitor>(port, pump));
+    if (n % 2 == 1) crowd.back()->Send(beginning);
+  }
+  return crowd;
+}
+
+// As many descriptors as this process may have: a crowd has its ends in it, and those of the other side.
+inline void AllowManyDescriptors() {
+  rlimit descriptors{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &descriptors), 0);
+  descriptors.rlim_cur = descriptors.rlim_max;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &descriptors), 0);
+}
 
 // A reply of one piece has come whole.
 inline bool IsWhole(const std::string& reply) {
