@@ -86,6 +86,8 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
   const auto service = kaori::lips::LipService::Open(
       {.service = options.service, .file = options.settings, .now = *lips}, reader, *board, clock);
   if (!service) return kaori::ExitWithError(service.error());
+  // Asked before the sounds are read, so that no change of the show between the two is missed.
+  const std::string played = kaori::lips::PlayedShow(options);
   auto sound_settings = kaori::lips::SoundSettingsOf(options, *lips);
   if (!sound_settings) return kaori::ExitWithError(sound_settings.error());
   const auto voice =
@@ -103,7 +105,7 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
   if (auto ok = (*voice)->Join(loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::service::FeedWatchdog(loop, clock); !ok) return kaori::ExitWithError(ok.error());
   // The sounds are another show's once the stage plays another one: started again, the program reads those.
-  const auto follow = [&, played = kaori::lips::PlayedShow(options)] {
+  const auto follow = [&] {
     if (const auto now = kaori::lips::PlayedShow(options); now.empty() || now == played) return;
     kaori::Log("another show plays: its sounds are read");
     loop.Stop();

@@ -14,9 +14,9 @@ namespace {
 // The gate shuts at half the amplitude at which it opens, so that it does not flutter.
 constexpr float kGateHysteresis_db = 6;
 
-// A show that was brought to the box: the stage has checked who signed it, and it is checked as a whole once
-// more. Where it cannot be read the show goes on without its sounds.
-std::vector<show::Sound> BroughtClips(const std::filesystem::path& pack) {
+// A show on the data partition, brought to the box or the copy of its own one: the stage has checked who signed it, and it is
+// checked as a whole once more. Where it cannot be read the show goes on without its sounds.
+std::vector<show::Sound> ClipsOnData(const std::filesystem::path& pack) {
   auto clips = show::LoadSounds(pack);
   if (clips) return std::move(*clips);
   LogWarning("{}; motions are silent", clips.error().message());
@@ -26,8 +26,8 @@ std::vector<show::Sound> BroughtClips(const std::filesystem::path& pack) {
 // None where no show is named: motions are then silent.
 Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
   if (options.pack.empty()) return std::vector<show::Sound>();
-  if (const std::string id = PlayedShow(options); store::IsId(id))
-    return BroughtClips(store::PackOf(id, options.shows, options.pack));
+  if (const std::string id = PlayedShow(options); !id.empty() && id != store::kRootShow)
+    return ClipsOnData(store::PackOf(id, options.shows, options.pack));
   return show::LoadOptionsOf(options.trust, options.verified).and_then([&](const show::LoadOptions& load) {
     return show::LoadSounds(options.pack, load);
   });

@@ -16,8 +16,8 @@ namespace kaori::lips {
 // silence: the box would be found mute in the middle of an evening.
 Result<voice::VoiceServiceSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips);
 
-// The show that the stage plays, as it notes beside the board: an id of the store, or store::kRootShow; empty without
-// --shows. Blocks for a file in memory.
+// The show that the stage plays, as it notes beside the board: an id of the store, store::kRootShow or store::kCopiedShow; empty
+// without --shows. Blocks for a file in memory.
 std::string PlayedShow(const LipOptions& options);
 
 // The gate and the delay for settings that change while the program runs. A delay of the command line has

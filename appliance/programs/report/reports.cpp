@@ -12,6 +12,7 @@
 #include "appliance/core/report/report.h"
 #include "appliance/core/showlog/log_file.h"
 #include "appliance/core/showlog/log_folder.h"
+#include "appliance/core/store/choice.h"
 #include "appliance/programs/report/logged_show.h"
 #include "appliance/programs/report/own_copy.h"
 #include "drivers/base/folder.h"
@@ -51,8 +52,8 @@ bool HasReport(const LogsOfEvening& evening) {
   });
 }
 
-// The pack with this mark, of those that the box has; nothing where it has it no more.
-std::optional<fs::path> PackOf(std::uint64_t mark, const ReportPlaces& places) {
+// The packs with this mark, of those that the box has: the copy of its own show has the mark of that.
+std::vector<fs::path> PacksOf(std::uint64_t mark, const ReportPlaces& places) {
   std::vector<fs::path> packs;
   for (const fs::path& place : places.packs) {
     std::error_code odd;
@@ -61,11 +62,21 @@ std::optional<fs::path> PackOf(std::uint64_t mark, const ReportPlaces& places) {
       continue;
     }
     for (const fs::path& file : ListFolder(place).value_or(std::vector<fs::path>{}))
-      if (file.extension() == ".kaori") packs.push_back(file);
+      if (file.extension() == ".kaori" || file.filename() == store::kCopyName) packs.push_back(file);
   }
-  for (const fs::path& pack : packs)
-    if (const auto of_pack = last_face::ShowMark(pack); of_pack && *of_pack == mark) return pack;
-  return std::nullopt;
+  std::erase_if(packs, [&](const fs::path& pack) {
+    const auto of_pack = last_face::ShowMark(pack);
+    return !of_pack || *of_pack != mark;
+  });
+  return packs;
+}
+
+// From the first of its packs that can be read: the disk may have spoilt one. Errors: as LoadShowOfLog, of the last one.
+Result<show::Show> LoadPlayed(const showlog::LogHead& head, const ReportPlaces& places, const fs::path& own) {
+  Result<show::Show> played = FailInput("the show that was played is no longer on the box");
+  for (const fs::path& pack : PacksOf(head.show, places))
+    if (played = LoadShowOfLog(pack, head, own); played) break;
+  return played;
 }
 
 // The evenings up to this one that were played with its show. The last one must be readable as a whole; of others what
@@ -89,14 +100,12 @@ Result<void> MakeReport(std::span<const LogsOfEvening> evenings, const ReportPla
   const std::string name = evening.front().file.string();
   if (!evening.front().head)
     return FailInput(name + ": it is no show log, or of another version of the programs");
-  const auto pack = PackOf(evening.front().head->show, places);
-  if (!pack) return FailInput(name + ": the show that was played is no longer on the box");
   const auto logs = ReadLogs(evenings);
   if (!logs) return tl::unexpected(logs.error());
   const TemporaryFolder own;
   CopyOwn(places.own, own.path());
-  const auto show = LoadShowOfLog(*pack, logs->back().head(), own.path());
-  if (!show) return tl::unexpected(show.error());
+  const auto show = LoadPlayed(logs->back().head(), places, own.path());
+  if (!show) return FailAs(show.error(), name + ": " + show.error().attempt);
   auto told = ReadEvenings(*logs, *show);
   const Evening last = std::move(told.back());
   told.pop_back();

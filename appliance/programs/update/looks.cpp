@@ -1,6 +1,7 @@
 #include "appliance/programs/update/looks.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -123,6 +124,13 @@ Reason ProgramsFault(std::string_view shown, std::size_t units, Restarts restart
 bool EndsAgainAndAgain(std::string_view shown) {
   constexpr int kTwice = 2;
   return ParseNumber<int>(ValueOf(shown, "NRestarts=")).value_or(0) >= kTwice;
+}
+
+bool RunsOn(std::string_view shown, Time now) {
+  constexpr auto kOn = std::chrono::seconds(10);
+  const auto since_us =
+      ParseNumber<std::int64_t>(ValueOf(shown, "ActiveEnterTimestampMonotonic=")).value_or(0);
+  return since_us > 0 && now.time_since_epoch() - std::chrono::microseconds(since_us) >= kOn;
 }
 
 Reason DiskFault(std::string_view kernel_log) {

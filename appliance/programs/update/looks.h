@@ -41,8 +41,11 @@ class ShownFrames {
 // What `systemctl show --property=Id,ActiveState,NRestarts` says of so many units: each has to run, and none was started anew.
 Reason ProgramsFault(std::string_view shown, std::size_t units, Restarts restarts);
 
-// What `systemctl show --property=NRestarts` says of one unit: whether it was started anew twice or more.
+// What `systemctl show --property=NRestarts,ActiveEnterTimestampMonotonic` says of one unit: whether it was started anew twice or
+// more; and whether it has run on for ten seconds at `now`, which whatever ends again and again never does: the number of its starts
+// stands for ever.
 bool EndsAgainAndAgain(std::string_view shown);
+bool RunsOn(std::string_view shown, Time now);
 
 // The kernel's log: dm-verity names each block that is not what the root's hash says.
 Reason DiskFault(std::string_view kernel_log);

@@ -195,7 +195,8 @@ int main(int argc, char** argv) {
   if (settings.confirm) return kaori::update::Confirm(TrialOf(settings));
   const auto running = kaori::update::ReadRunning(settings.version, settings.slot);
   if (!running) return kaori::ExitWithError(running.error());
-  if (settings.look) return kaori::update::FaultOfSystem(PlacesOf(settings)).empty() ? 1 : 0;
+  if (settings.look)
+    return kaori::update::FaultOfSystem(PlacesOf(settings), kaori::SteadyClock().now()).empty() ? 1 : 0;
   if (!settings.other.empty()) return TryOtherSystem(settings, *running);
   if (!settings.install.empty()) return Install(settings, *running);
   return Serve(settings, *running);

@@ -22,18 +22,19 @@ bool HasShownAFace(const std::string& path) {
   return board && board->Read<board::StageStatus>().value.frames > 0;
 }
 
-// Whether a unit was started anew twice or more; false where the service manager does not say.
-bool Ends(const FaultPlaces& places, const char* unit) {
-  const auto shown =
-      OutputOf({places.systemctl, "show", "--property=NRestarts", unit}, kMostWord_bytes, kLongestWord);
-  return shown && EndsAgainAndAgain(*shown);
+// What the service manager says of a unit's starts; nothing where it does not say.
+std::string StartsOf(const FaultPlaces& places, const char* unit) {
+  return OutputOf({places.systemctl, "show", "--property=NRestarts,ActiveEnterTimestampMonotonic", unit},
+                  kMostWord_bytes, kLongestWord)
+      .value_or("");
 }
 
 // A program of the operators' that ends again and again may do so over a device, which no other system would help; beside a block
 // that the disk has spoilt it is the system.
-std::string SpoiltProgram(const FaultPlaces& places) {
+std::string SpoiltProgram(const FaultPlaces& places, Time now) {
   for (const char* unit : {"kaori-input.service", "kaori-lips.service"}) {
-    if (!Ends(places, unit)) continue;
+    const std::string starts = StartsOf(places, unit);
+    if (!EndsAgainAndAgain(starts) || RunsOn(starts, now)) continue;
     const auto log = ReadKernelLog(places.journalctl);
     const Reason fault = log ? DiskFault(*log) : Reason{};
     return fault.empty() ? "" : std::string(unit) + " ends again and again, and " + fault.english;
@@ -43,20 +44,23 @@ std::string SpoiltProgram(const FaultPlaces& places) {
 
 }  // namespace
 
-std::string FaultOfSystem(const FaultPlaces& places) {
+std::string FaultOfSystem(const FaultPlaces& places, Time now) {
   if (IsThere(places.no_show)) {
     const std::string reason = ReadFile(places.no_show).value_or("");
     return "no show can be played: " + reason.substr(0, reason.find('\n'));
   }
-  if (HasShownAFace(places.board)) return SpoiltProgram(places);
-  return Ends(places, "kaori-stage.service") ? "the stage ends again and again, and has shown no face" : "";
+  if (HasShownAFace(places.board)) return SpoiltProgram(places, now);
+  return EndsAgainAndAgain(StartsOf(places, "kaori-stage.service"))
+             ? "the stage ends again and again, and has shown no face"
+             : "";
 }
 
 std::string AwaitLastingFault(const FaultPlaces& places) {
   LastingFault lasting;
   while (true) {
-    std::string fault = FaultOfSystem(places);
-    if (lasting.Lasts(!fault.empty(), SteadyClock().now())) return fault;
+    const Time now = SteadyClock().now();
+    std::string fault = FaultOfSystem(places, now);
+    if (lasting.Lasts(!fault.empty(), now)) return fault;
     ::sleep(1);
   }
 }

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "drivers/base/clock.h"
+
 namespace kaori::update {
 
 // Where it is seen.
@@ -21,9 +23,9 @@ struct FaultPlaces {
 
 // The reason in one line, English; empty: there is none now. A stage that never showed a frame in this start of the machine and
 // ended at least twice is one, as where a bit of it is spoilt on the disk; one that waits for a screen does not end. Where it does
-// show frames, input or lips that ended at least twice are one too, but only beside a block that failed its hash. Blocks for the file
-// system, systemctl, and the journal.
-std::string FaultOfSystem(const FaultPlaces& places);
+// show frames, input or lips that ended at least twice and do not run on at `now` are one too, but only beside a block that failed its
+// hash. Blocks for the file system, systemctl, and the journal.
+std::string FaultOfSystem(const FaultPlaces& places, Time now);
 
 // Blocks until one has stood for LastingFault::kLasts without a break, and gives it. Whoever starts this bounds its time.
 std::string AwaitLastingFault(const FaultPlaces& places);

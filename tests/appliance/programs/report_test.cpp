@@ -118,6 +118,21 @@ TEST_F(BoxReports, FindTheShowAmongThoseThatWereBroughtToTheBox) {
   EXPECT_EQ(MakeReports(places_).files.size(), 1U);
 }
 
+// Where the root's disk is spoilt its header may still be whole, and the copy has played.
+TEST_F(BoxReports, TakeTheCopyOfASpoiltShow) {
+  PlayEvening(7);
+  fs::create_directories(folder_ / "shows");
+  fs::copy(folder_ / "small.kaori", folder_ / "shows/root.copy");
+  places_.packs = {folder_ / "small.kaori", folder_ / "shows"};
+  std::fstream(folder_ / "small.kaori", std::ios::in | std::ios::out | std::ios::binary)
+      .seekp(5000)
+      .put('\x5A');
+  EXPECT_EQ(MakeReports(places_).files.size(), 1U);
+  fs::remove(folder_ / "shows/root.copy");
+  fs::remove(places_.logs / "0007-20261122-190000.report.txt");
+  EXPECT_THAT(MakeReports(places_).faults, ElementsAre(HasSubstr("small.kaori is damaged")));
+}
+
 TEST_F(BoxReports, StayWhereTheirLogsAreGoneUntilThereIsTooMuchOfThem) {
   for (int number = 1; number <= 6; ++number)
     std::ofstream(places_.logs / fmt::format("{:04}-20261122-190000.report.txt", number))
