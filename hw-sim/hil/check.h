@@ -33,14 +33,23 @@ struct Finding {
   std::string said{};
   // In the report's folder; the first is the one that counts for a list.
   std::vector<Picture> pictures{};
-  // For out/boot.json.
+  // For out/boot.json. Of several rounds the greatest of each stands.
   std::map<std::string, double> figures{};
+  // For the same: what was counted. Of several rounds they add up.
+  std::map<std::string, double> counts{};
   // Name and content: outputs of tools.
   std::vector<std::pair<std::string, std::string>> texts{};
   // Of the check and its control, without the start of the box.
   double took_s = 0;
-  // How many times as much was tried, of a check that asked for it (Scene::Effort); 0: of no other one.
-  int effort = 0;
+  // What the control came to, as the end of a sentence; empty where none was tried.
+  std::string control{};
+  // Of how many rounds of its check this tells; 0: of none yet.
+  int rounds = 0;
+
+  // Figures and counts.
+  std::map<std::string, double> Measured() const;
+  // What was said, with the control, and of which round.
+  std::string Said() const;
 };
 
 // What a check works with. Made anew for each check and each control; borrows everything.
@@ -55,17 +64,14 @@ struct Scene {
   int replugs = 20;
   // Of the scenario, from its beginning; 0: all.
   int scenes = 0;
-  // For Effort; 1 or more.
-  int wanted_effort = 1;
-  // Seeded from the command line, so that a run can be repeated.
+  // Seeded from the command line, the check's name and its round, so that each round can be repeated alone.
   std::mt19937& chance;
   // The scenario that is played.
   std::string play;
+  // Of the check, from 0.
+  int round = 0;
   // The box's programs as the check found them; none where the box has no agent, or is off.
   std::vector<BoxProgram> programs{};
-
-  // How many times as much is tried of what a check tries again and again. The finding says so.
-  int Effort() { return finding.effort = wanted_effort; }
 
   // Presses a key (HID page 7) of the box's keyboard for as long as a person does: the input program of an emulated
   // box reads it late. Blocks meanwhile.
@@ -123,6 +129,9 @@ struct Check {
   // It kills, stops or replaces programs of the box by itself. Any other check fails where one of them has ended meanwhile: a
   // box that mends itself sooner than a check looks would seem whole.
   bool ends_programs = false;
+  // How many rounds of it are run at an effort of 1, and how many a larger one makes at most: each is the whole check, with other chance
+  // and its own number.
+  int least_rounds = 1, most_rounds = 1;
   // Of a release alone, since it takes more than a quarter of an hour. Never with `chosen`.
   bool release = false;
 };

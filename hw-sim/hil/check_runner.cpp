@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "drivers/base/checksum.h"
 #include "hw-sim/hil/kernel_fault.h"
 #include "hw-sim/hil/paused_unit.h"
 #include "hw-sim/hil/picture.h"
@@ -65,12 +66,16 @@ Withdrawn Withdraw(Scene& scene, const std::string& what) {
 
 // A failure that is the bench's own lack is a skip with its reason. After any other failure the box is
 // switched off, and the next check has a fresh one.
-ReportedCheck CheckRunner::Run(const Check& check) {
-  ReportedCheck reported{check.name, check.sentence, {}};
+ReportedCheck CheckRunner::Run(const Check& check, int round) {
+  ReportedCheck reported{check.name, check.sentence, {.rounds = 1}};
   Finding& finding = reported.finding;
+  const auto name = static_cast<std::uint32_t>(Fnv1a(check.name, kFnvBasis));
+  std::seed_seq seed{static_cast<std::uint32_t>(options_.seed), name, static_cast<std::uint32_t>(round)};
+  chance_.seed(seed);
   auto ok = Prepare(check);
   const Time began = target_.clock().now();
   Scene scene = SceneOf(finding);
+  scene.round = round;
   // The bench lacks what the setup wants: no Xvfb, no kernel of its own.
   if (!ok && ok.error().cause == std::errc::not_supported) {
     finding.verdict = Verdict::kSkipped;
@@ -78,7 +83,8 @@ ReportedCheck CheckRunner::Run(const Check& check) {
     return reported;
   }
   if (ok) ok = RunWatched(check, scene);
-  if (ok && options_.controls && finding.verdict == Verdict::kPassed) ok = Control(check, finding);
+  if (ok && options_.controls && round == 0 && finding.verdict == Verdict::kPassed)
+    ok = Control(check, finding);
   if (ok && finding.verdict == Verdict::kPassed && IsShared(check)) ok = LeavesAFace();
   // Before the box may be switched off: what is not read now is said of no check.
   if (ok && HasAgent(check)) ok = WantNoKernelFault();
@@ -99,7 +105,6 @@ Scene CheckRunner::SceneOf(Finding& finding) {
           .folder = options_.report,
           .replugs = options_.replugs,
           .scenes = options_.scenes,
-          .wanted_effort = options_.effort,
           .chance = chance_,
           .play = options_.play};
 }
@@ -173,7 +178,7 @@ Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
   if (ok && unseen.verdict == Verdict::kSkipped)
     ok = FailInput("it could not be tried, since " + unseen.said);
   if (!ok) return FailInput("the negative control: " + ok.error().message());
-  finding.said +=
+  finding.control =
       check.control ? "; the control was found wrong" : "; it fails without " + check.fails_without;
   return {};
 }

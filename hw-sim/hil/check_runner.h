@@ -24,7 +24,6 @@ class CheckRunner {
     // As Scene has them.
     int replugs = 20;
     int scenes = 0;
-    int effort = 1;
     // Of Scene::chance.
     std::mt19937::result_type seed = 1;
     // Each check that has passed is followed by its negative control: a check
@@ -34,12 +33,12 @@ class CheckRunner {
 
   // The target outlives the runner. Nothing is switched on yet.
   CheckRunner(Options options, Target& target)
-      : options_(std::move(options)), target_(target), strategy_(target), chance_(options_.seed) {}
+      : options_(std::move(options)), target_(target), strategy_(target) {}
 
-  // Runs one check, and its control where that is wanted. A box that crashed in the check before is
+  // Runs one round of a check, and behind the first one its control where that is wanted. A box that crashed in the check before is
   // started anew. What went wrong is in the finding, with the last picture and what the box said.
   // Blocks for minutes. Never fails itself.
-  ReportedCheck Run(const Check& check);
+  ReportedCheck Run(const Check& check, int round);
 
   // From power to the first frames of the first box that played; 0: none has.
   double boot_s() const { return boot_s_; }
@@ -74,7 +73,7 @@ class CheckRunner {
   Target& target_;
   // Brings the box to play as each check wants it.
   PlayStrategy strategy_;
-  // One for all checks of a run.
+  // Seeded anew for each round of a check.
   std::mt19937 chance_;
   // Setups whose box did not start, and why; none is waited for twice.
   std::vector<std::pair<Setup, Error>> failed_setups_;

@@ -13,6 +13,19 @@ double Quantile(std::vector<double> values, double part) {
   return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
+std::map<std::string, double> Finding::Measured() const {
+  auto measured = figures;
+  measured.insert(counts.begin(), counts.end());
+  return measured;
+}
+
+// Where a round has not passed, its number counts those before it.
+std::string Finding::Said() const {
+  if (rounds <= 1) return said + control;
+  if (verdict != Verdict::kPassed) return fmt::format("in round {}: {}", rounds, said);
+  return fmt::format("{} rounds, and of the last one: {}{}", rounds, said, control);
+}
+
 void Scene::TapKey(std::uint8_t usage) {
   sim::Keyboard& keyboard = target.rig().devices().keyboard;
   keyboard.Press(usage);
@@ -22,7 +35,8 @@ void Scene::TapKey(std::uint8_t usage) {
 
 Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
   // The number keeps several pictures of one check apart.
-  const std::string file = fmt::format("{}-{}.png", name, finding.pictures.size());
+  const std::string of_round = round > 0 ? fmt::format("-{}", round) : "";
+  const std::string file = fmt::format("{}{}-{}.png", name, of_round, finding.pictures.size());
   if (auto ok = target.machine().Shoot(0, folder + "/" + file); !ok) return ok;
   finding.pictures.push_back({file, caption});
   return {};

@@ -9,15 +9,15 @@
 
 namespace kaori::hil {
 
-// Writes report.json into the folder, as a whole: what was found, and of which trial. `trial` says all that a finding depends on: the
-// image, the bench's own program, how often was tried what all checks try; the effort is kept with those that asked for it. What has
-// passed `before` and was not come to yet stays kept. By the image's files and the number of checks that are wanted rootfs/image/tested.py
+// Writes report.json into the folder, as a whole: what was found, and of which trial. `trial` says all that a finding depends on but the
+// number of rounds, which each finding has: the image, the bench's own program, how often cables are pulled. `passes` are the rounds that
+// have passed, of this run and of those before it; they stay kept where the check was not come to yet, and where a later round of it has
+// not passed. By the image's files and the number of checks that are wanted rootfs/image/tested.py
 // tells whether an update may be made. Pictures and texts are in files of the report and are only named. Errors: those of the file.
-Result<void> KeepReport(const Report& report, const std::vector<ReportedCheck>& before,
+Result<void> KeepReport(const Report& report, const std::vector<ReportedCheck>& passes,
                         const std::string& trial, const std::string& folder);
 
-// Of the kept report of this very trial the checks that have passed, with this effort at least where they asked for it; the others are to
-// be tried again. Texts are left out, since their files are there. Empty where none is kept, where it is of another trial, or no report.
-std::vector<ReportedCheck> KeptPasses(const std::string& trial, int effort, const std::string& folder);
+// Of the kept report of this very trial the rounds that have passed, of each check that has any; all else is to be tried. Texts are left out, since their files are there. Empty where none is kept, where it is of another trial, or no report.
+std::vector<ReportedCheck> KeptPasses(const std::string& trial, const std::string& folder);
 
 }  // namespace kaori::hil

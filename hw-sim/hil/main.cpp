@@ -20,8 +20,8 @@
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/check_runner.h"
 #include "hw-sim/hil/image_files.h"
-#include "hw-sim/hil/kept_report.h"
 #include "hw-sim/hil/report.h"
+#include "hw-sim/hil/rounds.h"
 
 namespace {
 
@@ -38,12 +38,12 @@ constexpr std::string_view kHelp =
   --only NAMES          these checks, with commas between
   --chosen              those that run each time
   --release             those of a release too, which take more than a quarter of an hour each
-  --go-on               what has passed in the report's folder, on this very image and bench, is not tried again
+  --go-on               rounds that have passed in the report's folder, on this very image and bench, are not tried again
   --list                names the checks, and ends
   --scenes 0            of the scenario, from its beginning; 0 plays all
   --replugs 200         how often cables are pulled and plugged
   --seed 1              of their order
-  --effort 1            how many times as often the power is cut; a release: 25
+  --effort 1            how many rounds those checks have that cut the power or end the stage again and again; a release: 25
   --controls            each check is followed by its negative control
   --usual-image FILE    the program that makes an image which starts in the usual way (tests/hil/usual_image)
   --sticks FOLDER       images of sticks that are plugged in (out/sticks)
@@ -107,7 +107,7 @@ std::string RootHash(const std::string& image) {
   return {};
 }
 
-// All that a finding depends on but the effort: the image, this program and the agent that was built with it, and how much is tried.
+// All that a finding depends on but the number of its rounds: the image, this program and the agent that was built with it, and how much is tried.
 std::string TrialOf(const Settings& settings, const kaori::hil::Report& report) {
   const std::filesystem::path bench = std::filesystem::read_symlink("/proc/self/exe");
   std::uint64_t sum = kaori::kFnvBasis;
@@ -128,11 +128,12 @@ kaori::Result<std::string> MakeFolder() {
   return pattern;
 }
 
-// One line for each check, as it ends: a run takes long. `before`: in a run before this one.
-void Tell(const kaori::hil::ReportedCheck& check, bool before) {
+// One line for each round, as it ends: a run takes long.
+void Tell(const kaori::hil::ReportedCheck& check, int wanted, bool before) {
   const kaori::hil::Finding& found = check.finding;
-  fmt::print("{}  {:6.1f} s  {}: {}{}\n", Mark(found.verdict), found.took_s, check.name,
-             before ? "before: " : "", found.said);
+  fmt::print("{}  {:6.1f} s  {}{}: {}{}\n", Mark(found.verdict), found.took_s, check.name,
+             wanted > 1 ? fmt::format(" {}/{}", found.rounds, wanted) : "", before ? "before: " : "",
+             found.Said());
   std::fflush(stdout);
 }
 
@@ -185,13 +186,11 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
   const kaori::SteadyClock clock;
   auto target = kaori::hil::Target::Open(MachineOf(settings, sockets, size), clock);
   if (!target) return Exit(target.error());
-  const int effort = std::max(1, std::atoi(settings.effort.c_str()));
   kaori::hil::CheckRunner runner(
       {.report = settings.report,
        .play = settings.play,
        .replugs = std::atoi(settings.replugs.c_str()),
        .scenes = std::atoi(settings.scenes.c_str()),
-       .effort = effort,
        .seed = static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10)),
        .controls = settings.controls},
       **target);
@@ -201,20 +200,19 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
                             .files = kaori::hil::UpdateFileHashes(settings.image, sockets + "/sha256sum.log"),
                             .wanted = checks.size(),
                             .checks = {}};
-  const std::string trial = TrialOf(settings, report);
-  const auto kept = settings.go_on ? kaori::hil::KeptPasses(trial, effort, settings.report)
-                                   : std::vector<kaori::hil::ReportedCheck>();
-  for (const auto& check : checks) {
-    const auto passed = std::ranges::find(kept, check.name, &kaori::hil::ReportedCheck::name);
-    report.checks.push_back(passed != kept.end() ? *passed : runner.Run(check));
-    Tell(report.checks.back(), passed != kept.end());
+  const auto run = [&](const kaori::hil::Check& check, int round) {
+    auto found = runner.Run(check, round);
     report.boot_s = runner.boot_s();
-    // After each check: a run that is cut short leaves what was done.
-    auto ok = kaori::hil::WriteReport(report, settings.report);
-    if (ok) ok = kaori::hil::KeepReport(report, kept, trial, settings.report);
-    if (ok && !settings.figures.empty()) ok = kaori::hil::MergeFigures(report, settings.figures);
-    if (!ok) return Exit(ok.error());
-  }
+    return found;
+  };
+  const auto ok = kaori::hil::RunRounds(checks,
+                                        {.report = settings.report,
+                                         .figures = settings.figures,
+                                         .trial = TrialOf(settings, report),
+                                         .effort = std::max(1, std::atoi(settings.effort.c_str())),
+                                         .go_on = settings.go_on},
+                                        run, Tell, report);
+  if (!ok) return Exit(ok.error());
   runner.End();
   fmt::print("{} passed, {} failed, {} skipped; see {}/report.html\n",
              report.count(kaori::hil::Verdict::kPassed), report.count(kaori::hil::Verdict::kFailed),

@@ -83,7 +83,7 @@ std::string Article(const ReportedCheck& check) {
   return fmt::format(
       "<article class=\"{0}\" id=\"{1}\"><header><h2>{2}</h2><span class=\"took\">{3:.1f} s</span><span "
       "class=\"verdict\">{0}</span></header>\n<p class=\"said\">{4}</p>\n{5}{6}</article>\n",
-      word, Escaped(check.name), Escaped(check.sentence), check.finding.took_s, Escaped(check.finding.said),
+      word, Escaped(check.name), Escaped(check.sentence), check.finding.took_s, Escaped(check.finding.Said()),
       Pictures(check.finding), Texts(check));
 }
 
@@ -96,7 +96,7 @@ std::string Tiles(const Report& report) {
     tiles += Tile(std::to_string(skipped), "skipped");
   tiles += Tile(fmt::format("{:.0f} s", report.boot_s), "from power to the face");
   for (const ReportedCheck& check : report.checks)
-    for (const auto& [name, value] : check.finding.figures)
+    for (const auto& [name, value] : check.finding.Measured())
       tiles += Tile(fmt::format("{:.4g}", value), Spaced(name));
   return tiles;
 }

@@ -1,14 +1,18 @@
 #include "hw-sim/hil/power_cuts.h"
 
+#include <algorithm>
 #include <random>
 
 namespace kaori::hil {
 
-// By chance behind any of them, the last one too: then all of it is kept.
+// Behind the last one, too: then all of it is kept.
 std::size_t CutPoint(Scene& scene, std::size_t first, std::size_t end, int number, int of) {
-  const std::size_t even =
-      first + (end - first) * static_cast<std::size_t>(number + 1) / static_cast<std::size_t>(of + 1);
-  return number % 2 == 0 ? even : std::uniform_int_distribution<std::size_t>(first + 1, end)(scene.chance);
+  const auto part_begins = [&](int part) {
+    return first + (end - first) * static_cast<std::size_t>(part) / static_cast<std::size_t>(of);
+  };
+  const std::size_t least = part_begins(number) + 1;
+  return std::uniform_int_distribution<std::size_t>(least,
+                                                    std::max(least, part_begins(number + 1)))(scene.chance);
 }
 
 Result<void> WantFaceOf(Scene& scene, const UpdatedPc& pc, const char* when, Duration longest) {

@@ -7,8 +7,11 @@
 
 namespace kaori::hil {
 
+// Of checks that a release repeats as often as it is told to.
+inline constexpr int kManyRounds = 1000;
+
 // The place of a cut within the writes [first, end), of which one at least comes before it. `number` counts the cuts from 0, of `of` in
-// all. Half of the points are evenly spread, so that each phase has one, and the others lie where the scene's chance has them.
+// all: each lies where the scene's chance has it in its own part of them, so that each phase has one.
 std::size_t CutPoint(Scene& scene, std::size_t first, std::size_t end, int number, int of);
 
 // Starts a PC, with the disk and the variables that it has, and waits for its face; it is off again afterwards. `when`: for the error.

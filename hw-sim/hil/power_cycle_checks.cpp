@@ -15,7 +15,7 @@
 namespace kaori::hil {
 namespace {
 
-constexpr int kCycles = 20, kVariableCuts = 10;  // For each unit of Scene::Effort.
+constexpr int kCycles = 20, kVariableCuts = 10;  // In each round.
 // Of so many cuts one has no face behind it: the next one falls into the start that mends what it left. A number of cycles is a multiple of it.
 constexpr int kIntoMending = 4;
 // From the firmware's first moment to some frames of the show: so long on a quiet bench, and so many times the first whole start on
@@ -72,17 +72,17 @@ Result<void> CutVariables(Scene& scene, const UpdatedPc& pc) {
   if (!log) return tl::unexpected(log.error());
   const std::size_t writes = log->entries().size();
   if (writes == 0) return FailInput("the firmware kept nothing in its first start");
-  auto& figures = scene.finding.figures;
-  figures["variable_writes"] = static_cast<double>(writes);
-  const int cuts = kVariableCuts * scene.Effort();
+  scene.finding.figures["variable_writes"] = static_cast<double>(writes);
+  auto& counts = scene.finding.counts;
+  const int cuts = kVariableCuts;
   for (int n = 0; n < cuts; ++n) {
     const std::size_t until = CutPoint(scene, 0, writes, n, cuts);
     auto ok = pc.ForgetVariables();
     if (ok) ok = log->Replay(0, until, pc.Variables());
     if (!ok) return ok;
-    figures["variable_cuts"] += 1;
+    counts["variable_cuts"] += 1;
     if (WantFaceOf(scene, pc, "after a cut in the firmware's variables", kLongestUpdateStart)) continue;
-    figures["variable_cuts_dead"] += 1;
+    counts["variable_cuts_dead"] += 1;
     return FailInput(fmt::format("no face after a cut behind write {} of {} of the firmware", until, writes));
   }
   return {};
@@ -95,13 +95,13 @@ Result<void> CutStart(Scene& scene, const UpdatedPc& pc, Duration after) {
   scene.target.machine().Off();
   const auto written = WrittenBy(pc);
   if (!written) return tl::unexpected(written.error());
-  auto& figures = scene.finding.figures;
-  figures["power_cycles"] += 1;
-  figures["power_cycles_with_writes"] += written->data ? 1 : 0;
+  auto& counts = scene.finding.counts;
+  counts["power_cycles"] += 1;
+  counts["power_cycles_with_writes"] += written->data ? 1 : 0;
   if (written->sectors_beside_data == 0 && pc.Default() == 'a') return {};
-  figures["slot_flips"] += 1;
+  counts["slot_flips"] += 1;
   return FailInput(fmt::format("cycle {:.0f}: {} sectors beside the data were written, and slot {} starts",
-                               figures["power_cycles"], written->sectors_beside_data, pc.Default()));
+                               counts["power_cycles"], written->sectors_beside_data, pc.Default()));
 }
 
 // The whole start that mends what a cut left. Its log must show that writes are noted.
@@ -111,56 +111,53 @@ Result<void> StartToFace(Scene& scene, const UpdatedPc& pc) {
   scene.target.machine().Off();
   if (ok) ok = WantNothingBesideData(pc);
   if (ok && pc.Default() != 'a') ok = FailInput("a whole start after a cut changes the slot");
-  scene.finding.figures["power_cycles_with_face"] += ok ? 1 : 0;
+  scene.finding.counts["power_cycles_with_face"] += ok ? 1 : 0;
   return ok;
 }
 
 // Disk and variables are kept from each cycle to the next.
 Result<void> CyclePower(Scene& scene, const UpdatedPc& pc) {
-  auto& figures = scene.finding.figures;
   std::uniform_real_distribution<double> long_s(
-      0, std::max(kLongestCycle_s, kLongestCycle_starts * figures["whole_start_s"]));
-  for (int n = 0; n < kCycles * scene.Effort(); ++n) {
+      0, std::max(kLongestCycle_s, kLongestCycle_starts * scene.finding.figures["whole_start_s"]));
+  for (int n = 0; n < kCycles; ++n) {
     const std::chrono::duration<double> after(long_s(scene.chance));
     auto ok = CutStart(scene, pc, std::chrono::duration_cast<Duration>(after));
     if (ok && n % kIntoMending != 0) ok = StartToFace(scene, pc);
     if (!ok) return ok;
   }
-  return figures["power_cycles_with_writes"] > 0 ? Result<void>{}
-                                                 : FailInput("no cycle came to write anything");
+  return scene.finding.counts["power_cycles_with_writes"] > 0 ? Result<void>{}
+                                                              : FailInput("no cycle came to write anything");
 }
 
 Result<void> VariableCuts(Scene& scene) {
   const auto pc = UpdatedPc::Make(scene);
   if (!pc) return tl::unexpected(pc.error());
-  auto& figures = scene.finding.figures;
-  for (const char* none : {"variable_cuts", "variable_cuts_dead"}) figures[none] = 0;
+  scene.finding.counts = {{"variable_cuts", 0}, {"variable_cuts_dead", 0}};
   auto ok = StartWhole(scene, *pc, "variable-cuts");
   if (ok) ok = CutVariables(scene, *pc);
-  scene.finding.said = fmt::format("{:.0f} cuts in {:.0f} writes of the firmware left a face each",
-                                   figures["variable_cuts"], figures["variable_writes"]);
+  scene.finding.said =
+      fmt::format("{:.0f} cuts in {:.0f} writes of the firmware left a face each",
+                  scene.finding.counts["variable_cuts"], scene.finding.figures["variable_writes"]);
   return ok;
 }
 
 Result<void> PowerCycles(Scene& scene) {
   const auto pc = UpdatedPc::Make(scene);
   if (!pc) return tl::unexpected(pc.error());
-  auto& figures = scene.finding.figures;
-  for (const char* none :
-       {"power_cycles", "power_cycles_with_writes", "power_cycles_with_face", "slot_flips"})
-    figures[none] = 0;
+  auto& counts = scene.finding.counts;
+  counts = {
+      {"power_cycles", 0}, {"power_cycles_with_writes", 0}, {"power_cycles_with_face", 0}, {"slot_flips", 0}};
   auto ok = StartWhole(scene, *pc, "power-cycles");
   if (ok) ok = CyclePower(scene, *pc);
   scene.finding.said = fmt::format(
       "a start wrote nothing beside the data; after {:.0f} switchings, of which {:.0f} came to write, the "
       "same slot starts, and {:.0f} times it was awaited to its face",
-      figures["power_cycles"], figures["power_cycles_with_writes"], figures["power_cycles_with_face"]);
+      counts["power_cycles"], counts["power_cycles_with_writes"], counts["power_cycles_with_face"]);
   return ok;
 }
 
 }  // namespace
 
-// Two, since each takes more than an hour with the counts of a release: a run goes on behind what has passed.
 std::vector<Check> PowerCycleChecks() {
   Check variable_cuts = {
       .name = "variable-cuts",
@@ -168,7 +165,8 @@ std::vector<Check> PowerCycleChecks() {
       .run = VariableCuts,
       .setup = {.plugged = false, .sound = false, .agent = false},  // As UpdateChecks, which come before.
       .control = ASpoiltSlotIsSeen,
-      .powers = true};
+      .powers = true,
+      .most_rounds = kManyRounds};
   Check power_cycles = variable_cuts;
   power_cycles.name = "power-cycles";
   power_cycles.sentence = "A PC that is switched off at any moment starts the same slot again";

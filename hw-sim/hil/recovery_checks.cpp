@@ -89,13 +89,12 @@ Result<void> Held(Scene& scene) {
   if (!held) return tl::unexpected(held.error());
   int deaths = 0;
   for (const Death& death : kDeaths)
-    for (int n = 0; n < death.times * std::min(scene.Effort(), 4); ++n, ++deaths) {
+    for (int n = 0; n < death.times; ++n, ++deaths) {
       if (auto ok = AwaitSomeFrames(scene); !ok) return ok;
       if (auto ok = WatchOneDeath(scene, death, *held); !ok) return ok;
     }
-  scene.finding.figures["held_frames_wrong"] = held->wrong;
-  scene.finding.figures["held_pictures"] = held->pictures;
-  scene.finding.figures["held_deaths"] = deaths;
+  scene.finding.counts = {
+      {"held_frames_wrong", held->wrong}, {"held_pictures", held->pictures}, {"held_deaths", deaths}};
   scene.finding.said =
       fmt::format("the stage ended {} times; {} pictures, {} wrong; largest difference {:.3f} of {}", deaths,
                   held->pictures, held->wrong, held->largest, HeldPicture::kMovedByItself);
@@ -159,7 +158,8 @@ std::vector<Check> RecoveryChecks() {
            .run = Held,
            .setup = kSmall,
            .control = WrongPicturesAreFound,
-           .ends_programs = true},
+           .ends_programs = true,
+           .most_rounds = 4},
           {"restart",
            "A box whose first program hangs is started again by its watchdog",
            false,

@@ -21,13 +21,13 @@ void RemoveFigures(const ReportedCheck& check, nlohmann::json& figures) {
   if (const auto& lists = figures[kFiguresOfChecks]; lists.is_object() && lists.contains(check.name))
     for (const auto& name : lists[check.name])
       if (name.is_string()) figures.erase(name.get<std::string>());
-  for (const auto& [name, value] : check.finding.figures) figures.erase(name);
+  for (const auto& [name, value] : check.finding.Measured()) figures.erase(name);
 }
 
 // Beside those of others, with the check's name.
 void AddFigures(const ReportedCheck& check, nlohmann::json& figures) {
   auto names = nlohmann::json::array();
-  for (const auto& [name, value] : check.finding.figures) {
+  for (const auto& [name, value] : check.finding.Measured()) {
     figures[name] = value;
     names.push_back(name);
   }
@@ -39,7 +39,7 @@ void AddFigures(const ReportedCheck& check, nlohmann::json& figures) {
 std::string Case(const ReportedCheck& check) {
   const std::string head = fmt::format(R"(    <testcase classname="bench" name="{}: {}" time="{:.1f}")",
                                        Escaped(check.name), Escaped(check.sentence), check.finding.took_s);
-  const std::string said = Escaped(check.finding.said);
+  const std::string said = Escaped(check.finding.Said());
   switch (check.finding.verdict) {
     case Verdict::kFailed:
       return fmt::format("{}><failure message=\"{}\"/></testcase>\n", head, said);

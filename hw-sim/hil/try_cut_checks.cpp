@@ -14,7 +14,7 @@
 namespace kaori::hil {
 namespace {
 
-constexpr int kTryCuts = 10;  // For each unit of Scene::Effort.
+constexpr int kTryCuts = 10;  // In each round.
 
 // The first write that may belong to the variable by which a slot is tried once (systemd's boot loader interface). The firmware writes
 // a variable byte by byte, head, name and value, and the log has a sector for each; the name is UTF-16, and may lie in two sectors.
@@ -58,8 +58,8 @@ Result<LogsOfTry> NoteTry(Scene& scene) {
 // The disk is each time as the restart left it, with a try that is counted: which slot starts is for the firmware and the loader to say, and
 // either has a face. Cuts in turn: while the try is written, into a new PC's variables, and while it is struck from those that were kept.
 Result<void> CutTry(Scene& scene, const LogsOfTry& logs, std::size_t first_of_try) {
-  auto& figures = scene.finding.figures;
-  const int cuts = kTryCuts * scene.Effort();
+  auto& counts = scene.finding.counts;
+  const int cuts = kTryCuts;
   for (int n = 0; n < cuts; ++n) {
     const bool is_told = n % 2 == 0;
     const WriteLog& log = is_told ? logs.told : logs.struck;
@@ -71,9 +71,9 @@ Result<void> CutTry(Scene& scene, const LogsOfTry& logs, std::size_t first_of_tr
     if (is_told) ok = pc->ForgetVariables();
     if (ok) ok = log.Replay(0, until, pc->Variables());
     if (!ok) return ok;
-    figures["try_cuts"] += 1;
+    counts["try_cuts"] += 1;
     if (WantFaceOf(scene, *pc, "after a cut in the variable of a try", kLongestUpdateStart)) continue;
-    figures["try_cuts_dead"] += 1;
+    counts["try_cuts_dead"] += 1;
     return FailInput(
         fmt::format("no face after a cut behind write {} of {} of the firmware, while a try is {}", until,
                     log.entries().size(), is_told ? "written" : "struck"));
@@ -85,7 +85,7 @@ Result<void> TryCuts(Scene& scene) {
   if (!std::filesystem::exists(scene.target.machine().options().sticks + "/update.stick"))
     return scene.Skip("there is no stick with an update; --sticks names its folder");
   auto& figures = scene.finding.figures;
-  for (const char* none : {"try_cuts", "try_cuts_dead"}) figures[none] = 0;
+  scene.finding.counts = {{"try_cuts", 0}, {"try_cuts_dead", 0}};
   const auto logs = NoteTry(scene);
   if (!logs) return tl::unexpected(logs.error());
   const auto first = FirstOfTry(logs->told);
@@ -97,7 +97,7 @@ Result<void> TryCuts(Scene& scene) {
   scene.finding.said = fmt::format(
       "{:.0f} cuts in the {:.0f} writes by which a try is kept and the {:.0f} by which it is struck left a "
       "face each",
-      figures["try_cuts"], figures["try_writes"], figures["try_struck_writes"]);
+      scene.finding.counts["try_cuts"], figures["try_writes"], figures["try_struck_writes"]);
   return ok;
 }
 
@@ -111,7 +111,8 @@ std::vector<Check> TryCutChecks() {
        .run = TryCuts,
        .setup = {.plugged = false, .sound = false, .agent = false},  // As UpdateChecks, which come before.
        .control = ASpoiltSlotIsSeen,
-       .powers = true}};
+       .powers = true,
+       .most_rounds = kManyRounds}};
 }
 
 }  // namespace kaori::hil

@@ -1,7 +1,6 @@
 // An update of the box by a stick, in a PC with UEFI: it is brought in, tried and stays; a bad one gives way.
 #include <algorithm>
 #include <filesystem>
-#include <random>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/data_cuts.h"
 #include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/power_cuts.h"
 #include "hw-sim/hil/slot_b.h"
 #include "hw-sim/hil/update_history.h"
 #include "hw-sim/hil/update_scene.h"
@@ -22,7 +22,7 @@ using std::chrono::seconds;
 
 // The trial itself takes one to three minutes of the machine, whose clock is the host's.
 constexpr Duration kLongestTrial = minutes(6);
-// For each unit of Scene::Effort.
+// In each round.
 constexpr int kUpdateCuts = 10, kDataCuts = 200;
 // Of a disk that lies, until one is found wrong.
 constexpr int kLiesAtOnce = 20, kMostLies = 200;
@@ -60,15 +60,11 @@ Result<void> WantOneDecision(const UpdateHistory& history, const UpdatedPc& pc, 
   return fault.empty() ? Result<void>{} : FailInput("of an update: " + fault);
 }
 
-// Right before and after the one write that changes which slot starts; of the others half are evenly spread, and half lie where chance has
-// them.
+// Right before and after the one write that changes which slot starts, and elsewhere.
 std::vector<std::size_t> CutPoints(Scene& scene, std::size_t entries, std::size_t decides) {
   std::vector<std::size_t> points{decides, decides + 1};
-  const int others = kUpdateCuts * scene.Effort() - 2;
-  for (int n = 0; n < others; ++n)
-    points.push_back(n % 2 == 0
-                         ? entries * static_cast<std::size_t>(n + 1) / static_cast<std::size_t>(others + 1)
-                         : std::uniform_int_distribution<std::size_t>(1, entries)(scene.chance));
+  const int others = kUpdateCuts - 2;
+  for (int n = 0; n < others; ++n) points.push_back(CutPoint(scene, 0, entries, n, others));
   std::ranges::sort(points);
   return points;
 }
@@ -80,9 +76,9 @@ Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc
   if (!decision) return tl::unexpected(decision.error());
   const std::size_t decides = history.FirstInto(*decision);
   if (auto ok = WantOneDecision(history, pc, *decision); !ok) return ok;
-  auto& figures = scene.finding.figures;
-  figures["update_writes"] = static_cast<double>(history.entries());
-  figures["boots_without_face"] = 0;
+  auto& counts = scene.finding.counts;
+  scene.finding.figures["update_writes"] = static_cast<double>(history.entries());
+  counts["boots_without_face"] = 0;
   for (const std::size_t point : CutPoints(scene, history.entries(), decides)) {
     if (auto ok = history.CutAfter(point, pc); !ok) return ok;
     // The update is one of the same system.
@@ -92,12 +88,12 @@ Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc
     if (named != wanted)
       return FailInput(fmt::format("after write {} of {} slot {} starts by itself, and {} should", point,
                                    history.entries(), named, wanted));
-    figures["boots_after_cut"] += 1;
+    counts["boots_after_cut"] += 1;
     auto ok = pc.Start(scene);
     if (ok) ok = AwaitUpdateFace(scene, "after a cut in the update");
     scene.target.machine().Off();
     if (ok) continue;
-    figures["boots_without_face"] += 1;
+    counts["boots_without_face"] += 1;
     return FailInput(fmt::format("no face after a cut behind write {} of {}", point, history.entries()));
   }
   return {};
@@ -105,11 +101,12 @@ Result<void> CutUpdate(Scene& scene, UpdateHistory& history, const UpdatedPc& pc
 
 // The data partition alone, of a disk that loses and tears what was not flushed: many more cuts than machines could be started for.
 Result<void> CutItsData(Scene& scene, const UpdateHistory& history) {
-  const auto cuts = CutData(scene, history, history.Disk(), kDataCuts * scene.Effort(), false);
+  const auto cuts = CutData(scene, history, history.Disk(), kDataCuts, false);
   if (!cuts) return tl::unexpected(cuts.error());
-  scene.finding.figures["data_cuts"] = cuts->cuts;
-  scene.finding.figures["data_cuts_wrong"] = cuts->wrong;
-  scene.finding.figures["data_cuts_deciding"] = cuts->deciding;
+  auto& counts = scene.finding.counts;
+  counts["data_cuts"] = cuts->cuts;
+  counts["data_cuts_wrong"] = cuts->wrong;
+  counts["data_cuts_deciding"] = cuts->deciding;
   if (cuts->wrong > 0) return FailInput(cuts->said);
   if (cuts->deciding == 0) return FailInput("no cut falls between two states of what the box keeps");
   for (int n = 0; n < kMostLies; n += kLiesAtOnce) {
@@ -149,8 +146,8 @@ Result<void> Update(Scene& scene) {
   scene.finding.said = fmt::format(
       "an update by stick was brought in within {:.0f} s, tried, and stays; a face came after each of {:.0f} "
       "cuts in its {:.0f} writes; {:.0f} cuts that lost and tore writes spoilt nothing of the data",
-      scene.finding.figures["update_install_s"], scene.finding.figures["boots_after_cut"],
-      scene.finding.figures["update_writes"], scene.finding.figures["data_cuts"]);
+      scene.finding.figures["update_install_s"], scene.finding.counts["boots_after_cut"],
+      scene.finding.figures["update_writes"], scene.finding.counts["data_cuts"]);
   return ok;
 }
 
@@ -198,7 +195,8 @@ std::vector<Check> UpdateChecks() {
            .run = Update,
            .setup = {.plugged = false, .sound = false, .agent = false},  // As DiskChecks, which come before.
            .control = ABadUpdateGivesWay,
-           .powers = true}};
+           .powers = true,
+           .most_rounds = kManyRounds}};
 }
 
 }  // namespace kaori::hil

@@ -125,7 +125,7 @@ try_company() {
 }
 
 failed_checks=()
-effort=1  # How many times as often the power is cut.
+effort=1  # Rounds of the checks that may have several.
 release=()  # --release: the checks of a release alone, too.
 
 # Runs a command, says whether it passed, and goes on after a failure: run_check SENTENCE COMMAND...

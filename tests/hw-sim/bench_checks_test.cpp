@@ -97,9 +97,9 @@ class Runner : public ::testing::Test {
                 .control = std::move(control),
                 .powers = true});
   }
-  Finding Run(const Check& check) {
+  Finding Run(const Check& check, int round = 0) {
     CheckRunner runner({.report = folder_, .play = {}, .controls = true}, *target_);
-    return runner.Run(check).finding;
+    return runner.Run(check, round).finding;
   }
 
   SteadyClock clock_;
@@ -132,6 +132,31 @@ TEST_F(Runner, FailsACheckWhoseControlFailsSinceTheMachineHasEnded) {
   EXPECT_EQ(finding.verdict, Verdict::kFailed);
   EXPECT_THAT(finding.said,
               HasSubstr("the negative control: it could not be tried: the box answers no more"));
+}
+
+// A round that failed in a run of hours can be looked into alone.
+TEST_F(Runner, GivesEachRoundItsOwnChanceAndTheFirstOneItsControl) {
+  std::vector<std::mt19937::result_type> drawn;
+  int controls = 0;
+  const auto draws = [&](Scene& scene) {
+    drawn.push_back(scene.chance());
+    return Result<void>{};
+  };
+  const auto control = [&](Scene&) {
+    ++controls;
+    return Result<void>{};
+  };
+  const Check check{
+      .name = "cycles", .sentence = "It starts", .run = draws, .control = control, .powers = true};
+  for (const int round : {0, 1, 0}) EXPECT_EQ(Run(check, round).verdict, Verdict::kPassed);
+  ASSERT_EQ(drawn.size(), 3U);
+  EXPECT_NE(drawn[0], drawn[1]);
+  EXPECT_EQ(drawn[0], drawn[2]);
+  EXPECT_EQ(controls, 2);
+  Check other = check;
+  other.name = "cuts";
+  EXPECT_EQ(Run(other).verdict, Verdict::kPassed);
+  EXPECT_NE(drawn[3], drawn[0]);
 }
 
 }  // namespace

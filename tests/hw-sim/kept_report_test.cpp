@@ -40,35 +40,39 @@ Report OneOfThree() {
 
 TEST_F(KeptReport, GivesWhatHasPassedInThisVeryTrialAlone) {
   ASSERT_TRUE(KeepReport(OneOfThree(), {}, "image ab12", folder_));
-  const auto passes = KeptPasses("image ab12", 1, folder_);
+  const auto passes = KeptPasses("image ab12", folder_);
   ASSERT_EQ(passes.size(), 1U) << "what failed or was skipped is tried again";
   EXPECT_EQ(passes[0].name, "face");
   EXPECT_EQ(passes[0].finding.said, "92 % lit");
   EXPECT_EQ(passes[0].finding.figures.at("lit"), 0.92);
   EXPECT_EQ(passes[0].finding.pictures.at(0).file, "face-0.png");
-  EXPECT_TRUE(KeptPasses("image cd34", 1, folder_).empty());
+  EXPECT_TRUE(KeptPasses("image cd34", folder_).empty());
 }
 
-TEST_F(KeptReport, GivesWhatWasTriedLessThanIsWantedToNobody) {
+TEST_F(KeptReport, GivesTheRoundsThatHavePassedOfACheckOfWhichALaterOneHasNot) {
   Report report;
-  report.checks.push_back({"held", "The picture stays", {.effort = 1}});
-  report.checks.push_back({"update", "It is tried", {.effort = 25}});
-  report.checks.push_back({"face", "The face is on the screen", {}});
-  ASSERT_TRUE(KeepReport(report, {}, "image ab12", folder_));
-  EXPECT_EQ(KeptPasses("image ab12", 1, folder_).size(), 3U);
-  const auto of_a_release = KeptPasses("image ab12", 25, folder_);
-  ASSERT_EQ(of_a_release.size(), 2U);
-  EXPECT_EQ(of_a_release[0].name, "update");
-  EXPECT_EQ(of_a_release[0].finding.effort, 25);
-  EXPECT_EQ(of_a_release[1].name, "face") << "which knows no effort";
+  report.checks.push_back(
+      {"held", "The picture stays", {.verdict = Verdict::kFailed, .said = "dark", .rounds = 4}});
+  const ReportedCheck passed{
+      "held",
+      "The picture stays",
+      {.said = "3 pictures", .counts = {{"deaths", 39}}, .control = "; wrong", .rounds = 3}};
+  ASSERT_TRUE(KeepReport(report, {passed}, "image ab12", folder_));
+  const auto passes = KeptPasses("image ab12", folder_);
+  ASSERT_EQ(passes.size(), 1U);
+  EXPECT_EQ(passes[0].finding.rounds, 3);
+  EXPECT_EQ(passes[0].finding.counts.at("deaths"), 39);
+  EXPECT_EQ(passes[0].finding.control, "; wrong");
+  EXPECT_THAT(ReadFile(folder_ + "/report.json").value(), ::testing::HasSubstr("\"passed\": false"))
+      << "no update is made of it";
 }
 
 TEST_F(KeptReport, KeepsWhatARunThatGoesOnHasNotComeTo) {
   ASSERT_TRUE(KeepReport(OneOfThree(), {}, "image ab12", folder_));
   Report later;
   later.checks.push_back({"replugs", "Roles stay", {.said = "no swap"}});
-  ASSERT_TRUE(KeepReport(later, KeptPasses("image ab12", 1, folder_), "image ab12", folder_));
-  const auto passes = KeptPasses("image ab12", 1, folder_);
+  ASSERT_TRUE(KeepReport(later, KeptPasses("image ab12", folder_), "image ab12", folder_));
+  const auto passes = KeptPasses("image ab12", folder_);
   ASSERT_EQ(passes.size(), 2U);
   EXPECT_EQ(passes[0].name, "replugs");
   EXPECT_EQ(passes[1].name, "face");
@@ -97,11 +101,11 @@ TEST_F(KeptReport, KnowsAnImageByTheFilesOfAnUpdateThatAreThere) {
 }
 
 TEST_F(KeptReport, IsNothingWhereItIsNoReport) {
-  EXPECT_TRUE(KeptPasses("", 1, folder_).empty());
+  EXPECT_TRUE(KeptPasses("", folder_).empty());
   for (const char* text :
        {"", "seven", "[]", R"({"trial": ""})", R"({"trial": "", "checks": [{"passed": true}]})"}) {
     std::ofstream(folder_ + "/report.json") << text;
-    EXPECT_TRUE(KeptPasses("", 1, folder_).empty()) << text;
+    EXPECT_TRUE(KeptPasses("", folder_).empty()) << text;
   }
 }
 
