@@ -215,6 +215,8 @@ std::vector<Check> PowerChecks();
 std::vector<Check> DataChecks();
 // A factory reset at the box.
 std::vector<Check> ResetChecks();
+// Sticks that fail while they bring an update.
+std::vector<Check> FailingStickChecks();
 // A company's own show, which a stick brings.
 std::vector<Check> StickChecks();
 // Damaged file systems, as of a stick, before the kernel's drivers.

@@ -121,18 +121,18 @@ Result<void> WantFoundWrong(const Result<void>& tried, const char* passed) {
 // Those that want the same setup stand together: another one is a box started anew.
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
-  for (auto& part : {ScreenChecks(),     PlayChecks(),          InputChecks(),       SurfaceChecks(),
-                     ChipChecks(),       SerialBoxChecks(),     MachineLineChecks(), LatencyChecks(),
-                     CameraChecks(),     LineChecks(),          SoundChecks(),       LibcameraChecks(),
-                     CableChecks(),      HangChecks(),          CrashChecks(),       ToolChecks(),
-                     ReportChecks(),     AuthorisationChecks(), AloneChecks(),       UsbSoundChecks(),
-                     SpeedChecks(),      GadgetChecks(),        LoopChecks(),        DamagedDiskChecks(),
-                     DialLineChecks(),   SamplingChecks(),      DisplayChecks(),     OutputChecks(),
-                     LastFaceChecks(),   StormChecks(),         RecoveryChecks(),    PowerChecks(),
-                     StickChecks(),      GivesWayChecks(),      BackupChecks(),      DeskChecks(),
-                     DataChecks(),       ResetChecks(),         StartChecks(),       DiskChecks(),
-                     SecureBootChecks(), UpdateChecks(),        BadUpdateChecks(),   TryCutChecks(),
-                     PowerCycleChecks(), SpoiltFileChecks(),    MediumChecks()})
+  for (auto& part : {ScreenChecks(),   PlayChecks(),          InputChecks(),       SurfaceChecks(),
+                     ChipChecks(),     SerialBoxChecks(),     MachineLineChecks(), LatencyChecks(),
+                     CameraChecks(),   LineChecks(),          SoundChecks(),       LibcameraChecks(),
+                     CableChecks(),    HangChecks(),          CrashChecks(),       ToolChecks(),
+                     ReportChecks(),   AuthorisationChecks(), AloneChecks(),       UsbSoundChecks(),
+                     SpeedChecks(),    GadgetChecks(),        LoopChecks(),        DamagedDiskChecks(),
+                     DialLineChecks(), SamplingChecks(),      DisplayChecks(),     OutputChecks(),
+                     LastFaceChecks(), StormChecks(),         RecoveryChecks(),    PowerChecks(),
+                     StickChecks(),    FailingStickChecks(),  GivesWayChecks(),    BackupChecks(),
+                     DeskChecks(),     DataChecks(),          ResetChecks(),       StartChecks(),
+                     DiskChecks(),     SecureBootChecks(),    UpdateChecks(),      BadUpdateChecks(),
+                     TryCutChecks(),   PowerCycleChecks(),    SpoiltFileChecks(),  MediumChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

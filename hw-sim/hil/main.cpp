@@ -43,7 +43,7 @@ constexpr std::string_view kHelp =
   --scenes 0            of the scenario, from its beginning; 0 plays all
   --replugs 200         how often cables are pulled and plugged
   --seed 1              of their order
-  --effort 1            how many rounds those checks have that cut the power or end the stage again and again; a release: 25
+  --effort 1            how many rounds those checks have that cut the power or end the stage again and again; a release: 10
   --controls            each check is followed by its negative control
   --usual-image FILE    the program that makes an image which starts in the usual way (tests/hil/usual_image)
   --sticks FOLDER       images of sticks that are plugged in (out/sticks)

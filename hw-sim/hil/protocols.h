@@ -2,6 +2,8 @@
 // behind these.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "drivers/base/clock.h"
@@ -35,6 +37,14 @@ class VideoProtocol {
 // USB devices that no profile, or not every profile, authorises.
 enum class UnauthorisedDevice { kStorage, kNetwork, kKeyboard };
 
+// What is wrong with a stick.
+struct StickFault {
+  // No read of this byte of its disk comes back, as where its memory is worn out.
+  std::optional<std::uint64_t> unreadable_at;
+  // It gives no more in a second; 0: all that is asked for.
+  std::int64_t most_bytes_s = 0;
+};
+
 // A USB socket of the box for such a device. One at a time.
 class UnauthorisedDeviceProtocol {
  public:
@@ -45,6 +55,8 @@ class UnauthorisedDeviceProtocol {
   // Plugs in a USB stick with that image of a disk, an absolute path; unless it is writable it is only read.
   // Errors: as above.
   virtual Result<void> PlugStick(const std::string& image, bool writable) = 0;
+  // The same with one that fails, and is only read.
+  virtual Result<void> PlugFailingStick(const std::string& image, const StickFault& fault) = 0;
   // Pulls what was plugged in. Errors: as above; where there is none QEMU says so (invalid_argument).
   virtual Result<void> PullUnauthorised() = 0;
 };

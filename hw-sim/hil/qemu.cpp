@@ -2,6 +2,7 @@
 
 #include <signal.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 
@@ -146,14 +147,42 @@ Result<void> QemuDriver::PlugUnauthorised(UnauthorisedDevice device) {
   return qmp_->Do("device_add", DeviceOf(device));
 }
 
-// An image keeps its name in QEMU after its stick was pulled: each stick gets the next one.
 // Read-only, so that two runs can share an image.
 Result<void> QemuDriver::PlugStick(const std::string& image, bool writable) {
+  return PlugDisk({{"driver", "file"}, {"filename", image}}, writable);
+}
+
+// QEMU's own drivers between the stick and its file: blkdebug counts sectors of 512 bytes, and a group of throttled disks needs a name.
+Result<void> QemuDriver::PlugFailingStick(const std::string& image, const StickFault& fault) {
+  if (!qmp_) return Fail(std::errc::no_such_device, "plug in a stick");
+  constexpr std::uint64_t kSector_bytes = 512;
+  json::Object node{{"driver", "file"}, {"filename", image}};
+  if (fault.unreadable_at) {
+    const json::Object rule{{"event", "none"},
+                            {"iotype", "read"},
+                            {"errno", EIO},
+                            {"sector", *fault.unreadable_at / kSector_bytes},
+                            {"once", false}};
+    node = {{"driver", "blkdebug"}, {"image", node}, {"inject-error", json::List{rule}}};
+  }
+  if (fault.most_bytes_s > 0) {
+    const std::string group = fmt::format("slow{}", sticks_);
+    const json::Object limits{{"bps-read", fault.most_bytes_s}};
+    if (auto ok = qmp_->Do("object-add", {{"qom-type", "throttle-group"}, {"id", group}, {"limits", limits}});
+        !ok)
+      return ok;
+    node = {{"driver", "throttle"}, {"throttle-group", group}, {"file", node}};
+  }
+  return PlugDisk(std::move(node), false);
+}
+
+// An image keeps its name in QEMU after its stick was pulled: each stick gets the next one.
+Result<void> QemuDriver::PlugDisk(json::Object file, bool writable) {
   if (!qmp_) return Fail(std::errc::no_such_device, "plug in a stick");
   const std::string name = fmt::format("stick{}", ++sticks_);
-  const json::Object file{{"driver", "file"}, {"filename", image}};
-  if (auto ok = qmp_->Do("blockdev-add",
-                         {{"driver", "raw"}, {"node-name", name}, {"read-only", !writable}, {"file", file}});
+  if (auto ok = qmp_->Do(
+          "blockdev-add",
+          {{"driver", "raw"}, {"node-name", name}, {"read-only", !writable}, {"file", std::move(file)}});
       !ok)
     return ok;
   return qmp_->Do(

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/base/json.h"
 #include "hw-sim/hil/machine_lines.h"
 #include "hw-sim/hil/process.h"
 #include "hw-sim/hil/protocols.h"
@@ -39,6 +40,7 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   Result<void> PlugScreen(int head, int width_px, int height_px) override;
   Result<void> PlugUnauthorised(UnauthorisedDevice device) override;
   Result<void> PlugStick(const std::string& image, bool writable) override;
+  Result<void> PlugFailingStick(const std::string& image, const StickFault& fault) override;
   Result<void> PullUnauthorised() override;
   // A short press of the machine's power button. Errors: as Qmp::Do; no_such_device, it is off.
   Result<void> PressPower();
@@ -63,6 +65,8 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   Result<void> Start();
   // The disk's path: the image's own, another one, or a copy with other settings.
   Result<std::string> Disk();
+  // Plugs in a stick with that disk, a node of QEMU's (blockdev-add). Errors: as PlugStick.
+  Result<void> PlugDisk(json::Object file, bool writable);
 
   QemuOptions options_;
   Waiter& waiter_;

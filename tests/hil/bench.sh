@@ -178,7 +178,7 @@ test_on_the_bench() {
   fi
   [[ $# -eq 0 || $* =~ ^--(chosen|release)$ ]] || fail "test --bench takes --chosen, --go-on, --release or --arch arm64; see ./box help"
   if [ "$*" = --release ]; then
-    effort=25
+    effort=10
     release=(--release)
     shift
   fi
