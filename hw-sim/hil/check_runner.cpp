@@ -138,13 +138,10 @@ Result<void> CheckRunner::NotePrograms(const Check& check, Scene& scene) {
 // Else the next check that looks at the screen would fail, for a dial that this one left turned. The kernel keeps the last picture
 // of a stage that has died or hangs, so one must have looked at the board since the check ended.
 Result<void> CheckRunner::LeavesAFace() {
-  const auto ended = target_.Board();
-  if (!ended) return tl::unexpected(ended.error());
-  const auto draws = [&](const BoardView& board) {
-    return board.stage.live && board.stage.read_ns > ended->now_ns;
-  };
-  if (!target_.UntilBoard(draws, kLongestLeaving, "see a frame afterwards"))
-    return FailInput("it passed, but leaves the next check a stage that draws no more");
+  if (auto ok = target_.AwaitFrame(kLongestLeaving, "see a frame afterwards"); !ok)
+    return ok.error().cause == std::errc::timed_out
+               ? FailInput("it passed, but leaves the next check a stage that draws no more")
+               : ok;
   const std::string shot = options_.report + "/left.png";
   const auto face = [&] {
     const auto picture = target_.machine().Shoot(0, shot).and_then([&] { return LookAt(shot); });

@@ -1,6 +1,5 @@
 // Sticks that are pulled, cannot be read, or are slow while they bring an update: it is said, and what plays goes on.
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <random>
 #include <string>
@@ -10,9 +9,7 @@
 
 #include "drivers/base/number.h"
 #include "hw-sim/hil/check.h"
-#include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/stick_scene.h"
-#include "hw-sim/hil/strategy.h"
 
 namespace kaori::hil {
 namespace {
@@ -25,8 +22,6 @@ constexpr std::string_view kTheUpdate = "> 1. ";        // The first line of its
 constexpr std::string_view kBegins = ": it is being ";  // Read, and then written.
 constexpr std::string_view kFails = "cannot be read; take it again";
 constexpr std::string_view kWaits = "it is on the box and waits";
-// Without another word or percent, as in stick_checks.cpp.
-constexpr Duration kLongestStandstill = minutes(10);
 // As a stick of the first USB, and so long it is watched.
 constexpr std::int64_t kSlow_bytes_s = 100'000;
 constexpr Duration kWatchesSlow = seconds(60);
@@ -37,21 +32,6 @@ std::optional<int> DoneOf(std::string_view said) {
   const std::size_t end = said.find(kPercent);
   if (end == said.npos) return std::nullopt;
   return ParseNumber<int>(said.substr(said.rfind('(', end) + 1, end - said.rfind('(', end) - 1));
-}
-
-// Looks at what the box says until `right` of it. Errors: invalid_argument, nothing new comes any more, with what was said last.
-Result<void> UntilSaid(Scene& scene, const std::function<bool(const std::string&)>& right) {
-  std::string said = TextInBox(scene, kSaid);
-  while (!right(said)) {
-    const auto is_new = [&, before = said] {
-      // No answer is nothing new.
-      if (std::string heard = TextInBox(scene, kSaid); !heard.empty()) said = std::move(heard);
-      return said != before;
-    };
-    if (!scene.target.Until(is_new, kLongestStandstill))
-      return FailInput("the update does not go on, and the box says \"" + said + "\"");
-  }
-  return {};
 }
 
 // The list of the stick before has to be gone, since its words are the same.
@@ -72,22 +52,15 @@ Result<void> WantGivenUp(Scene& scene, const std::string& what) {
     return ok;
   if (const std::string waits = TextInBox(scene, "read /var/lib/kaori/update/pending"); !waits.empty())
     return FailInput(fmt::format("an update of which only a part came waits: \"{}\"", waits));
-  const auto now = scene.target.Board();
-  if (!now) return tl::unexpected(now.error());
-  const auto draws = [&](const BoardView& board) {
-    return board.stage.live && board.stage.read_ns > now->now_ns;
-  };
-  const auto drawn = scene.target.UntilBoard(draws, minutes(2), "see the face behind a stick that failed");
-  if (!drawn) return tl::unexpected(drawn.error());
+  if (auto ok = scene.target.AwaitFrame(minutes(2), "see the face behind a stick that failed"); !ok)
+    return ok;
   scene.finding.counts["sticks_failed"] += 1;
   return {};
 }
 
 Result<void> PullGone(Scene& scene) {
   static_cast<void>(scene.target.machine().PullUnauthorised());
-  const auto gone = [&] { return TextInBox(scene, kSaid).find(kTheUpdate) == std::string::npos; };
-  return scene.target.Until(gone, kLongestReading) ? Result<void>{}
-                                                   : FailInput("the list of a pulled stick stays");
+  return WantListGone(scene);
 }
 
 // Each pull in its own part of the way, where chance has it. What the box has in memory of the stick would do without it: it is
@@ -144,21 +117,14 @@ Result<void> TryAll(Scene& scene) {
 }
 
 Result<void> FailingSticks(Scene& scene) {
-  const QemuOptions& options = scene.target.machine().options();
-  if (!std::filesystem::exists(options.sticks + "/update.stick"))
+  if (!std::filesystem::exists(scene.target.machine().options().sticks + "/update.stick"))
     return scene.Skip("there is no stick with an update; --sticks names its folder");
-  const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "failing.disk", "data");
-  if (!disk) return tl::unexpected(disk.error());
-  PlayStrategy box(scene.target);
-  auto ok = box.Play(StickSetup(disk->file));
-  scene.target.rig().gpio().Close(kStickKey);
-  if (ok) ok = TryAll(scene);
-  if (ok)
-    ok = scene.ShootFace("failing-sticks", "The face after sticks that failed, and an update that came in");
-  scene.target.rig().gpio().Open(kStickKey);
-  static_cast<void>(scene.target.machine().PullUnauthorised());
-  box.Off();
-  std::filesystem::remove(disk->file);
+  auto ok = InService(scene, "failing.disk", [&] {
+    const auto tried = TryAll(scene);
+    return tried ? scene.ShootFace("failing-sticks",
+                                   "The face after sticks that failed, and an update that came in")
+                 : tried;
+  });
   scene.finding.said = fmt::format(
       "{:.0f} sticks that were pulled midway, could not be read or were slow were named, and nothing of them "
       "waits; the same update came in after them",
@@ -168,17 +134,12 @@ Result<void> FailingSticks(Scene& scene) {
 
 // The control: of a stick that is whole nothing of the kind is said.
 Result<void> AWholeStickDoesNotFail(Scene& scene) {
-  PlayStrategy box(scene.target);
-  auto ok = box.Play(StickSetup(""));
-  scene.target.rig().gpio().Close(kStickKey);
-  if (ok) ok = BeginUpdate(scene, {});
-  const auto goes_on = [](const std::string& said) { return DoneOf(said).value_or(0) >= 2; };
-  if (ok) ok = UntilSaid(scene, goes_on);
-  if (ok) ok = WantFoundWrong(WantStickSaid(scene, kFails, seconds(5)), "a whole stick is said to fail");
-  scene.target.rig().gpio().Open(kStickKey);
-  static_cast<void>(scene.target.machine().PullUnauthorised());
-  box.Off();
-  return ok;
+  return InService(scene, nullptr, [&]() -> Result<void> {
+    if (auto ok = BeginUpdate(scene, {}); !ok) return ok;
+    const auto goes_on = [](const std::string& said) { return DoneOf(said).value_or(0) >= 2; };
+    if (auto ok = UntilSaid(scene, goes_on); !ok) return ok;
+    return WantFoundWrong(WantStickSaid(scene, kFails, seconds(5)), "a whole stick is said to fail");
+  });
 }
 
 }  // namespace

@@ -18,9 +18,6 @@ namespace {
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-// Without another word or percent. What an update takes as a whole is no fault: at a tenth of the time of an emulated machine, which is
-// what the face may leave it, that was 21 minutes.
-constexpr Duration kLongestStandstill = minutes(10);
 constexpr std::size_t kLargestSupport_bytes = std::size_t{8} << 20U;  // More than the box writes.
 // Long enough for some dozens of frames of a machine whose processor draws.
 constexpr Duration kRateSpan = seconds(60);
@@ -71,14 +68,12 @@ Result<void> InstallUnderPlay(Scene& scene, const Bringing& what) {
   static_cast<void>(scene.target.Until(ask, kRateSpan));
   const auto began = last;
   if (auto ok = PressFor(scene, kOne, what.begins); !ok) return ok;
-  while (!is_done()) {
-    const auto is_new = [&, before = said] {
-      ask();
-      return said != before;
-    };
-    if (!scene.target.Until(is_new, kLongestStandstill))
-      return FailInput("what the stick brings is not installed, but the box says \"" + said + "\"");
-  }
+  const auto look = [&] {
+    ask();
+    return said;
+  };
+  const auto right = [&](const std::string&) { return is_done(); };
+  if (auto ok = UntilSaid(scene, right, look); !ok) return ok;
   const double before = Rate(first, began), during = Rate(began, last);
   if (before <= 0 || during <= 0)
     return FailInput(fmt::format("the face's rate is not known: {:.2f} and {:.2f} frames/s", before, during));
@@ -198,21 +193,13 @@ Result<void> NothingIsReadWithoutTheKey(Scene& scene) {
 
 // Firmware plays no part in it: the update is brought in and waits, and this disk is never started again.
 Result<void> TakesAnUpdate(Scene& scene) {
-  const QemuOptions& options = scene.target.machine().options();
-  if (!std::filesystem::exists(options.sticks + "/update.stick"))
+  if (!std::filesystem::exists(scene.target.machine().options().sticks + "/update.stick"))
     return scene.Skip("there is no stick with an update; --sticks names its folder");
-  const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "updated.disk", "data");
-  if (!disk) return tl::unexpected(disk.error());
-  PlayStrategy box(scene.target);
-  auto ok = box.Play(StickSetup(disk->file));
-  scene.target.rig().gpio().Close(kStickKey);
-  if (ok) ok = Plug(scene, "update.stick");
-  if (ok) ok = WantStickSaid(scene, "> 1. ", kLongestReading);
-  if (ok) ok = InstallUnderPlay(scene, kUpdate);
-  scene.target.rig().gpio().Open(kStickKey);
-  static_cast<void>(scene.target.machine().PullUnauthorised());
-  box.Off();
-  std::filesystem::remove(disk->file);
+  auto ok = InService(scene, "updated.disk", [&]() -> Result<void> {
+    if (auto plugged = Plug(scene, "update.stick"); !plugged) return plugged;
+    if (auto listed = WantStickSaid(scene, "> 1. ", kLongestReading); !listed) return listed;
+    return InstallUnderPlay(scene, kUpdate);
+  });
   scene.finding.said =
       fmt::format("an update was written within {:.0f} s; the face kept {:.2f} of its rate meanwhile",
                   scene.finding.figures[kUpdate.took_s], scene.finding.figures[kUpdate.rate]);

@@ -1,8 +1,12 @@
 #include "hw-sim/hil/stick_scene.h"
 
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/strategy.h"
 
 namespace kaori::hil {
 namespace {
@@ -11,6 +15,9 @@ using std::chrono::minutes;
 using std::chrono::seconds;
 
 constexpr Duration kStickAnswer = seconds(60);
+// Without another word or percent: at a tenth of the time of an emulated machine, which is what the face may leave it, an update was 21
+// minutes.
+constexpr Duration kLongestStandstill = minutes(10);
 constexpr Duration kLongestChange = minutes(5);  // Until the stage draws with another show.
 // QEMU's vendor and product; behind it whether it is authorised.
 constexpr const char* kStickNumber = "46f4:0001 ";
@@ -27,6 +34,21 @@ Setup StickSetup(const std::string& disk) {
 // An agent that does not answer says nothing: whoever waits for a text asks again.
 std::string TextInBox(Scene& scene, const std::string& question) {
   return scene.target.agent().Ask(question, kStickAnswer).value_or("");
+}
+
+// No answer is nothing new.
+Result<void> UntilSaid(Scene& scene, const std::function<bool(const std::string&)>& right,
+                       const std::function<std::string()>& look) {
+  std::string said, before;
+  const auto is_new = [&] {
+    if (std::string heard = look ? look() : TextInBox(scene, kSaid); !heard.empty()) said = std::move(heard);
+    return std::exchange(before, said) != said;
+  };
+  static_cast<void>(is_new());
+  while (!right(said))
+    if (!scene.target.Until(is_new, kLongestStandstill))
+      return FailInput("what the stick brings does not go on, and the box says \"" + said + "\"");
+  return {};
 }
 
 // A failure brings the end of the box's journal into the report: it says what the list alone does not.
@@ -108,6 +130,31 @@ Result<void> WantDead(Scene& scene) {
              : FailInput("the stick is alive after the key was turned back");
 }
 
+Result<void> WantListGone(Scene& scene) {
+  const auto gone = [&] { return TextInBox(scene, kSaid).find(kOntoStick) == std::string::npos; };
+  return scene.target.Until(gone, kLongestReading) ? Result<void>{}
+                                                   : FailInput("the list of the pulled stick stays");
+}
+
+Result<void> InService(Scene& scene, const char* disk, const std::function<Result<void>()>& what) {
+  const QemuOptions& options = scene.target.machine().options();
+  std::string file;
+  if (disk != nullptr) {
+    auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, disk, "data");
+    if (!copy) return tl::unexpected(copy.error());
+    file = copy->file;
+  }
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(StickSetup(file));
+  scene.target.rig().gpio().Close(kStickKey);
+  if (ok) ok = what();
+  scene.target.rig().gpio().Open(kStickKey);
+  static_cast<void>(scene.target.machine().PullUnauthorised());
+  box.Off();
+  if (!file.empty()) std::filesystem::remove(file);
+  return ok;
+}
+
 Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name) {
   std::string stick = scene.folder + "/" + name + ".stick";
   std::error_code failed;
@@ -115,9 +162,7 @@ Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name) {
                              std::filesystem::copy_options::overwrite_existing, failed);
   if (failed) return Fail(static_cast<std::errc>(failed.value()), "copy the empty stick");
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return tl::unexpected(ok.error());
-  // The list of the stick before goes first: its lines have other numbers, and what is taken of them is of that stick.
-  const auto gone = [&] { return TextInBox(scene, kSaid).find(kOntoStick) == std::string::npos; };
-  if (!scene.target.Until(gone, kLongestReading)) return FailInput("the list of the pulled stick stays");
+  if (auto ok = WantListGone(scene); !ok) return tl::unexpected(ok.error());
   if (auto ok = scene.target.machine().PlugStick(stick, true); !ok) return tl::unexpected(ok.error());
   return stick;
 }

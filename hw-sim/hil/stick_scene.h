@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -26,11 +27,24 @@ Setup StickSetup(const std::string& disk);
 // the next one.
 std::string TextInBox(Scene& scene, const std::string& question);
 
+// Looks at what the box says until `right` of it, as long as new words or percents come: what an installation takes as a whole is no
+// fault. `look` reads what is said, and may look at more; none: that alone. Errors: invalid_argument, nothing new comes any more, with what
+// was said last.
+Result<void> UntilSaid(Scene& scene, const std::function<bool(const std::string&)>& right,
+                       const std::function<std::string()>& look = {});
+
 // Errors: invalid_argument, the box says something else; with what it says.
 Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest);
 
 // Plugs a stick of the options' folder in where the rig leaves a port free, as for unauthorised devices: one at a time.
 Result<void> Plug(Scene& scene, const std::string& stick);
+
+// The lines of a stick that was pulled are gone: those of the next one have other numbers, or the same words.
+Result<void> WantListGone(Scene& scene);
+
+// Does `what` on a box that plays with the service key on, and takes its stick and its power away. `disk`: a name for a copy of the image's
+// disk, which keeps what is written; null: nothing is kept. Errors: those of CopyDisk and PlayStrategy::Play, and what `what` gives.
+Result<void> InService(Scene& scene, const char* disk, const std::function<Result<void>()>& what);
 
 // Plugs a copy of the empty stick in, which can be written; gives its file.
 Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name);

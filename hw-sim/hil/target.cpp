@@ -105,6 +105,16 @@ Result<BoardView> Target::UntilBoard(const std::function<bool(const BoardView&)>
               what + " (" + (board ? DescribeSticks(*board) : board.error().message()) + ")");
 }
 
+Result<void> Target::AwaitFrame(Duration longest, const std::string& what) {
+  const auto now = Board();
+  if (!now) return tl::unexpected(now.error());
+  const auto draws = [&](const BoardView& board) {
+    return board.stage.live && board.stage.read_ns > now->now_ns;
+  };
+  const auto drawn = UntilBoard(draws, longest, what);
+  return drawn ? Result<void>{} : tl::unexpected(drawn.error());
+}
+
 // The wait ends early where the machine ends: its log does not grow any more.
 bool Target::UntilConsole(std::initializer_list<std::string_view> parts, Duration longest) {
   const auto said = [&] { return HasLine(machine_.console(), parts); };

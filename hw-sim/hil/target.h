@@ -48,6 +48,9 @@ class Target final : public Waiter {
   Result<BoardView> UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
                                const std::string& what);
 
+  // Waits until a frame has been drawn of what the board says now. Errors: those of the board, and as UntilBoard.
+  Result<void> AwaitFrame(Duration longest, const std::string& what);
+
   // Waits until one line of the log of a machine without an agent has all of `parts`. False: it did not come
   // in time, or the machine ended before.
   bool UntilConsole(std::initializer_list<std::string_view> parts, Duration longest);
