@@ -151,8 +151,6 @@ Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk,
 // Two copies of the image's disk are two boxes that were never set up alike; only the stick goes from one to the other.
 Result<void> Backup(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
-  if (!std::filesystem::exists(options.sticks + "/evening.stick"))
-    return scene.Skip("there are no sticks to plug in; --sticks names their folder");
   const auto copy = [&](const char* name) {
     return CopyDisk(options.image + "/kaori.disk", options.folder, name, "data");
   };
@@ -214,15 +212,14 @@ Result<void> NothingIsRestoredWithoutAYes(Scene& scene) {
 }  // namespace
 
 std::vector<Check> BackupChecks() {
-  return {{"backup",
-           "A backup that a box writes onto a stick makes a second box with the same show and a number of "
-           "its own",
-           false,
-           Backup,
-           StickSetup(""),
-           {},
-           NothingIsRestoredWithoutAYes,
-           true}};
+  return {{.name = "backup",
+           .sentence = "A backup that a box writes onto a stick makes a second box with the same show and a "
+                       "number of its own",
+           .run = Backup,
+           .setup = StickSetup(""),
+           .control = NothingIsRestoredWithoutAYes,
+           .powers = true,
+           .stick = "evening"}};
 }
 
 }  // namespace kaori::hil

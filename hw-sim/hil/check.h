@@ -134,6 +134,8 @@ struct Check {
   int least_rounds = 1, most_rounds = 1;
   // Of a release alone, since it takes more than a quarter of an hour. Never with `chosen`.
   bool release = false;
+  // Which of --sticks it plugs in: where STICK.stick is not there the check is skipped, and says so. Empty: none.
+  std::string stick{};
 };
 
 // The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.

@@ -76,7 +76,7 @@ ReportedCheck CheckRunner::Run(const Check& check, int round) {
   const Time began = target_.clock().now();
   Scene scene = SceneOf(finding);
   scene.round = round;
-  // The bench lacks what the setup wants: no Xvfb, no kernel of its own.
+  // The bench lacks what the check or its setup wants: a stick, Xvfb, a kernel of its own.
   if (!ok && ok.error().cause == std::errc::not_supported) {
     finding.verdict = Verdict::kSkipped;
     finding.said = ok.error().message();
@@ -111,6 +111,9 @@ Scene CheckRunner::SceneOf(Finding& finding) {
 
 // A check that powers the machine itself finds it off; all others find a box that plays.
 Result<void> CheckRunner::Prepare(const Check& check) {
+  const std::string stick = target_.machine().options().sticks + "/" + check.stick + ".stick";
+  if (!check.stick.empty() && !std::filesystem::exists(stick))
+    return Fail(std::errc::not_supported, "plug in " + stick + " (--sticks names the folder)");
   if (!check.powers) return StartBox(check.setup);
   strategy_.Off();
   return {};

@@ -157,8 +157,6 @@ Result<std::string> BringBoth(Scene& scene) {
 // kept: memory, in which the stage is told of a choice, is gone with the power.
 Result<void> BringsAShow(Scene& scene) {
   const QemuOptions& options = scene.target.machine().options();
-  if (!std::filesystem::exists(options.sticks + "/guest.stick"))
-    return scene.Skip("there are no sticks to plug in; --sticks names their folder");
   const auto disk = CopyDisk(options.image + "/kaori.disk", options.folder, "brought.disk", "data");
   if (!disk) return tl::unexpected(disk.error());
   PlayStrategy box(scene.target);
@@ -193,8 +191,6 @@ Result<void> NothingIsReadWithoutTheKey(Scene& scene) {
 
 // Firmware plays no part in it: the update is brought in and waits, and this disk is never started again.
 Result<void> TakesAnUpdate(Scene& scene) {
-  if (!std::filesystem::exists(scene.target.machine().options().sticks + "/update.stick"))
-    return scene.Skip("there is no stick with an update; --sticks names its folder");
   auto ok = InService(scene, "updated.disk", [&]() -> Result<void> {
     if (auto plugged = Plug(scene, "update.stick"); !plugged) return plugged;
     if (auto listed = WantStickSaid(scene, "> 1. ", kLongestReading); !listed) return listed;
@@ -221,22 +217,22 @@ Result<void> NoUpdateWithoutTheKey(Scene& scene) {
 }  // namespace
 
 std::vector<Check> StickChecks() {
-  return {{"stick",
+  return {
+      {.name = "stick",
+       .sentence =
            "A show that a stick brings while the service key is on is played, and a damaged one is refused",
-           false,
-           BringsAShow,
-           StickSetup(""),
-           {},
-           NothingIsReadWithoutTheKey,
-           true},
-          {"update-under-play",
-           "The face plays on while a stick brings an update",
-           false,
-           TakesAnUpdate,
-           StickSetup(""),
-           {},
-           NoUpdateWithoutTheKey,
-           true}};
+       .run = BringsAShow,
+       .setup = StickSetup(""),
+       .control = NothingIsReadWithoutTheKey,
+       .powers = true,
+       .stick = "guest"},
+      {.name = "update-under-play",
+       .sentence = "The face plays on while a stick brings an update",
+       .run = TakesAnUpdate,
+       .setup = StickSetup(""),
+       .control = NoUpdateWithoutTheKey,
+       .powers = true,
+       .stick = "update"}};
 }
 
 }  // namespace kaori::hil

@@ -82,8 +82,6 @@ Result<void> CutTry(Scene& scene, const LogsOfTry& logs, std::size_t first_of_tr
 }
 
 Result<void> TryCuts(Scene& scene) {
-  if (!std::filesystem::exists(scene.target.machine().options().sticks + "/update.stick"))
-    return scene.Skip("there is no stick with an update; --sticks names its folder");
   auto& figures = scene.finding.figures;
   scene.finding.counts = {{"try_cuts", 0}, {"try_cuts_dead", 0}};
   const auto logs = NoteTry(scene);
@@ -112,7 +110,8 @@ std::vector<Check> TryCutChecks() {
        .setup = {.plugged = false, .sound = false, .agent = false},  // As UpdateChecks, which come before.
        .control = ASpoiltSlotIsSeen,
        .powers = true,
-       .most_rounds = kManyRounds}};
+       .most_rounds = kManyRounds,
+       .stick = "update"}};
 }
 
 }  // namespace kaori::hil

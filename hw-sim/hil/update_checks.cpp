@@ -1,6 +1,5 @@
 // An update of the box by a stick, in a PC with UEFI: it is brought in, tried and stays; a bad one gives way.
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -130,9 +129,6 @@ Result<void> AwaitConfirmed(Scene& scene, const UpdatedPc& pc) {
 }
 
 Result<void> Update(Scene& scene) {
-  const QemuOptions& options = scene.target.machine().options();
-  if (!std::filesystem::exists(options.sticks + "/update.stick"))
-    return scene.Skip("there is no stick with an update; --sticks names its folder");
   auto pc = PcToUpdate(scene);
   if (!pc) return tl::unexpected(pc.error());
   auto history = UpdateHistory::Begin(scene, *pc);
@@ -196,7 +192,8 @@ std::vector<Check> UpdateChecks() {
            .setup = {.plugged = false, .sound = false, .agent = false},  // As DiskChecks, which come before.
            .control = ABadUpdateGivesWay,
            .powers = true,
-           .most_rounds = kManyRounds}};
+           .most_rounds = kManyRounds,
+           .stick = "update"}};
 }
 
 }  // namespace kaori::hil

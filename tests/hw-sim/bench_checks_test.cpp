@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -83,7 +84,7 @@ class Runner : public ::testing::Test {
   Runner() {
     std::string pattern = (std::filesystem::temp_directory_path() / "kaori-runner-XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
-    target_ = Target::Open({.image = folder_, .folder = folder_}, clock_).value();
+    target_ = Target::Open({.image = folder_, .sticks = folder_, .folder = folder_}, clock_).value();
   }
   ~Runner() override {
     target_.reset();
@@ -109,6 +110,19 @@ class Runner : public ::testing::Test {
 
 TEST_F(Runner, PassesACheckWhoseControlFindsSomethingWrong) {
   EXPECT_EQ(Run([](Scene&) { return Result<void>{}; }).verdict, Verdict::kPassed);
+}
+
+TEST_F(Runner, SkipsACheckWhoseStickIsNotThereAndNamesIt) {
+  const Check check{.name = "check",
+                    .sentence = "A stick is read",
+                    .run = [](Scene&) { return FailInput("there is no stick to plug in"); },
+                    .powers = true,
+                    .stick = "evening"};
+  const Finding skipped = Run(check);
+  EXPECT_EQ(skipped.verdict, Verdict::kSkipped);
+  EXPECT_THAT(skipped.said, HasSubstr("/evening.stick (--sticks names the folder)"));
+  std::ofstream(folder_ + "/evening.stick") << "FAT";
+  EXPECT_EQ(Run(check).verdict, Verdict::kFailed) << "with a stick it is tried";
 }
 
 TEST_F(Runner, FailsACheckWhoseControlCouldNotBeTried) {
