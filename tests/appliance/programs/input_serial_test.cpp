@@ -14,7 +14,7 @@ namespace {
 using board::SourceState;
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
-using Kind = sim::SerialDialBox::Kind;
+using DialBoxKind = sim::SerialDialBox::Kind;
 
 int Times(const std::string& text, std::string_view what) {
   int times = 0;
@@ -22,7 +22,7 @@ int Times(const std::string& text, std::string_view what) {
   return times;
 }
 
-class SerialBox : public ::testing::TestWithParam<Kind> {
+class SerialBox : public ::testing::TestWithParam<DialBoxKind> {
  protected:
   SerialBox() : board_(file_.Open()), box_(GetParam()), line_(path(), box_) { EXPECT_TRUE(line_.Plug()); }
 
@@ -71,7 +71,9 @@ class SerialBox : public ::testing::TestWithParam<Kind> {
   int steps_ = 0;
 };
 
-INSTANTIATE_TEST_SUITE_P(All, SerialBox, ::testing::Values(Kind::kSgi, Kind::kSpectragraphics, Kind::kDls80));
+INSTANTIATE_TEST_SUITE_P(All, SerialBox,
+                         ::testing::Values(DialBoxKind::kSgi, DialBoxKind::kSpectragraphics,
+                                           DialBoxKind::kDls80));
 
 TEST_P(SerialBox, WhatOneTurnHasIsLearntFromATurnOfAHand) {
   PlugIn();
@@ -109,7 +111,7 @@ TEST_P(SerialBox, TurnsAndPushesReachTheBoardAndLampsTheBox) {
   EXPECT_EQ(Surface().source, SourceState::kLive);
   EXPECT_EQ(Surface().value.counts[0] - before[0], 128);
   EXPECT_EQ(Surface().value.counts[7] - before[7], -256);
-  if (GetParam() == Kind::kDls80) return;
+  if (GetParam() == DialBoxKind::kDls80) return;
   EXPECT_EQ(Surface().value.buttons_down, 0x80000000U);
   box_.Release(31);
   auto stage = board_.AcquireWriter<board::Lamps>().value();
@@ -152,8 +154,8 @@ TEST_P(SerialBox, TornBytesAreOneLineAndMoveNothing) {
   const auto before = Surface().value.counts;
   ::testing::internal::CaptureStderr();
   for (int n = 0; n < 3; ++n) {
-    line_.SendRaw(
-        std::array<std::uint8_t, 2>{static_cast<std::uint8_t>(GetParam() == Kind::kDls80 ? 0x81 : 0x31), 0});
+    line_.SendRaw(std::array<std::uint8_t, 2>{
+        static_cast<std::uint8_t>(GetParam() == DialBoxKind::kDls80 ? 0x81 : 0x31), 0});
     Await();
     Play(milliseconds(20));
   }
@@ -179,7 +181,7 @@ TEST_P(SerialBox, ALineOfAnotherSpeedIsOneLine) {
 }
 
 using MuteBox = SerialBox;
-INSTANTIATE_TEST_SUITE_P(Asked, MuteBox, ::testing::Values(Kind::kSgi, Kind::kSpectragraphics));
+INSTANTIATE_TEST_SUITE_P(Asked, MuteBox, ::testing::Values(DialBoxKind::kSgi, DialBoxKind::kSpectragraphics));
 
 TEST_P(MuteBox, ABoxThatDoesNotAnswerIsOneLineAndIsFoundWhenItHasPower) {
   ::testing::internal::CaptureStderr();
