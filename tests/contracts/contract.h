@@ -2,10 +2,12 @@
 // a port's header, and every implementation of the port must pass them.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <poll.h>
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <system_error>
 
@@ -20,6 +22,12 @@ struct Implementation {
   const char* name;
   std::function<std::unique_ptr<Subject>()> make;
 };
+
+// For GoogleTest, which else lists a test with the bytes of its parameter.
+template <class Subject>
+void PrintTo(const Implementation<Subject>& implementation, std::ostream* out) {
+  *out << implementation.name;
+}
 
 template <class Subject>
 std::string NameOf(const ::testing::TestParamInfo<Implementation<Subject>>& info) {
