@@ -11,7 +11,7 @@ namespace kaori::stage {
 namespace {
 
 constexpr int kMostWidth_px = 960;
-constexpr Duration kLookPeriod = std::chrono::seconds(1);
+constexpr Duration kFilesPeriod = std::chrono::seconds(1);
 constexpr std::size_t kHeld_bytes = 4, kWritten_bytes = 3;
 
 // R, G, B of each pixel: a PPM has no fourth byte.
@@ -40,7 +40,7 @@ Result<void> WriteStills(Studio& studio, const StillFiles& files, EventLoop& loo
   if (!files.once.empty())
     if (auto written = WriteStill(studio, files.once); !written) return written;
   if (files.wanted.empty()) return {};
-  return loop.Every(kLookPeriod, [&studio, files] {
+  return loop.Every(kFilesPeriod, [&studio, files] {
     std::error_code none;
     if (!std::filesystem::exists(files.wanted, none)) return;
     if (auto written = WriteStill(studio, files.looked); !written)

@@ -100,9 +100,8 @@ Outcome TryWhatIsThere(ports::BootChoice& choice, Notes& notes, const Running& r
 }
 
 bool LastingFault::Lasts(bool is_there, Time now) {
-  if (!is_there) since_.reset();
-  if (is_there && !since_) since_ = now;
-  return since_ && now - *since_ >= kLasts;
+  since_ = is_there ? std::min(since_, now) : kNever;
+  return is_there && now - since_ >= kLasts;
 }
 
 // A slot that is the default is confirmed, whatever its note says.

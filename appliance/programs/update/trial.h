@@ -53,7 +53,8 @@ class LastingFault {
   bool Lasts(bool is_there, Time now);
 
  private:
-  std::optional<Time> since_;
+  static constexpr Time kNever = Time::max();
+  Time since_ = kNever;
 };
 
 // What a start finds, before anything is looked at:
