@@ -128,22 +128,44 @@ Result<void> AwaitConfirmed(Scene& scene, const UpdatedPc& pc) {
   return ok;
 }
 
-Result<void> Update(Scene& scene) {
+// Brings an update in, and sees it stay: its history, kept for the rounds after this one.
+Result<UpdateHistory> BringIn(Scene& scene) {
   auto pc = PcToUpdate(scene);
   if (!pc) return tl::unexpected(pc.error());
   auto history = UpdateHistory::Begin(scene, *pc);
-  if (!history) return tl::unexpected(history.error());
+  if (!history) return history;
   auto ok = UpdateAndRestart(scene, *pc);
   if (ok) ok = history->Add(*pc);
   if (ok) ok = AwaitConfirmed(scene, *pc);
   if (ok) ok = history->Add(*pc);
-  if (ok) ok = CutItsData(scene, *history);
+  if (!ok) return tl::unexpected(ok.error());
+  history->Keep();
+  scene.finding.said = fmt::format("an update by stick was brought in within {:.0f} s, tried, and stays; ",
+                                   scene.finding.figures["update_install_s"]);
+  return history;
+}
+
+// The history that a round before has kept, or that of an update now.
+Result<UpdateHistory> HistoryOfAnUpdate(Scene& scene) {
+  auto kept = UpdateHistory::Kept(scene);
+  if (!kept) return tl::unexpected(kept.error());
+  if (*kept) return std::move(**kept);
+  return BringIn(scene);
+}
+
+// The PC that is cut may be a new one: it gets disk and variables as they stood at the cut.
+Result<void> Update(Scene& scene) {
+  auto history = HistoryOfAnUpdate(scene);
+  if (!history) return tl::unexpected(history.error());
+  const auto pc = UpdatedPc::Make(scene);
+  if (!pc) return tl::unexpected(pc.error());
+  auto ok = CutItsData(scene, *history);
   if (ok) ok = CutUpdate(scene, *history, *pc);
-  scene.finding.said = fmt::format(
-      "an update by stick was brought in within {:.0f} s, tried, and stays; a face came after each of {:.0f} "
-      "cuts in its {:.0f} writes; {:.0f} cuts that lost and tore writes spoilt nothing of the data",
-      scene.finding.figures["update_install_s"], scene.finding.counts["boots_after_cut"],
-      scene.finding.figures["update_writes"], scene.finding.counts["data_cuts"]);
+  scene.finding.said += fmt::format(
+      "a face came after each of {:.0f} cuts in the {:.0f} writes of an update; {:.0f} cuts that lost and "
+      "tore writes spoilt nothing of the data",
+      scene.finding.counts["boots_after_cut"], scene.finding.figures["update_writes"],
+      scene.finding.counts["data_cuts"]);
   return ok;
 }
 

@@ -11,27 +11,52 @@
 #include "hw-sim/hil/disk_copy.h"
 
 namespace kaori::hil {
+namespace {
+
+std::string FolderOf(const Scene& scene) {
+  return scene.target.machine().options().folder + "/update-history";
+}
+
+}  // namespace
+
 // Whoever cuts the power of a machine finds on its disk all that it had flushed, and of the rest what the disk pleased to
 // write. Here a cut is between two writes in the order in which QEMU finished them: the disk keeps no cache of its own.
 // Losses and other orders are tried without a machine, by tests/appliance/programs/update_power_cut_test.cpp, which judge
 // each point of a log instead of starting from some of them.
 Result<UpdateHistory> UpdateHistory::Begin(Scene& scene, const UpdatedPc& pc) {
-  UpdateHistory history(scene.target.machine().options().folder + "/update-history");
+  UpdateHistory history(FolderOf(scene));
   std::filesystem::remove_all(history.folder_);
   std::filesystem::create_directories(history.folder_);
-  if (auto ok = CopySparse(pc.Disk(), history.Disk(), history.folder_ + "/cp.log"); !ok)
-    return tl::unexpected(ok.error());
+  auto ok = CopySparse(pc.Disk(), history.Begun(), history.folder_ + "/cp.log");
+  if (ok) ok = history.Rewind();
+  if (!ok) return tl::unexpected(ok.error());
+  return history;
+}
+
+Result<std::optional<UpdateHistory>> UpdateHistory::Kept(Scene& scene) {
+  if (!std::filesystem::exists(FolderOf(scene))) return std::nullopt;
+  UpdateHistory history(FolderOf(scene));
+  history.Keep();
+  auto ok = history.Rewind();
+  while (ok && std::filesystem::exists(history.Name(history.starts_.size(), "log"))) ok = history.ReadNext();
+  if (!ok) return tl::unexpected(ok.error());
   return history;
 }
 
 UpdateHistory::UpdateHistory(UpdateHistory&& other) noexcept
     : folder_(std::exchange(other.folder_, {})),
+      is_kept_(other.is_kept_),
       starts_(std::move(other.starts_)),
       replayed_(other.replayed_) {}
 
 UpdateHistory::~UpdateHistory() {
   std::error_code none;
-  if (!folder_.empty()) std::filesystem::remove_all(folder_, none);
+  if (!folder_.empty() && !is_kept_) std::filesystem::remove_all(folder_, none);
+}
+
+Result<void> UpdateHistory::Rewind() {
+  replayed_ = 0;
+  return CopySparse(Begun(), Disk(), folder_ + "/cp.log");
 }
 
 std::string UpdateHistory::Name(std::size_t start, const char* what) const {
@@ -46,7 +71,11 @@ Result<void> UpdateHistory::Add(const UpdatedPc& pc) {
   std::filesystem::rename(pc.DiskLog(), log, failed);
   if (!failed) std::filesystem::copy_file(pc.Variables(), kept, failed);
   if (failed) return Fail(std::errc::io_error, "keep what a start wrote");
-  auto start = WriteLog::Read(log);
+  return ReadNext();
+}
+
+Result<void> UpdateHistory::ReadNext() {
+  auto start = WriteLog::Read(Name(starts_.size(), "log"));
   if (!start) return tl::unexpected(start.error());
   starts_.push_back(std::move(*start));
   return {};

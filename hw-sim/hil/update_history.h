@@ -1,6 +1,7 @@
 // All that a PC wrote while it was updated, over several starts: for whoever cuts its power at any of these writes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ class UpdateHistory {
  public:
   // The disk of a PC that is off, from which all begins. Errors: io_error.
   static Result<UpdateHistory> Begin(Scene& scene, const UpdatedPc& pc);
+  // The one that was kept, as if nothing had been cut yet. Nothing where none was. Errors: as Begin and WriteLog::Read.
+  static Result<std::optional<UpdateHistory>> Kept(Scene& scene);
+  // Its files stay, for Kept, until another one begins: bringing an update in once more would take many times as long as cutting it.
+  void Keep() { is_kept_ = true; }
   UpdateHistory(UpdateHistory&& other) noexcept;
   UpdateHistory& operator=(UpdateHistory&&) = delete;
   ~UpdateHistory();
@@ -44,9 +49,16 @@ class UpdateHistory {
  private:
   explicit UpdateHistory(std::string folder) : folder_(std::move(folder)) {}
   std::string Name(std::size_t start, const char* what) const;
+  // The disk from which all begins, which no cut changes.
+  std::string Begun() const { return folder_ + "/begun.disk"; }
+  // Makes Disk() as all began. Errors: io_error.
+  Result<void> Rewind();
+  // Takes the log that lies at its Name as the next start's. Errors: as WriteLog::Read.
+  Result<void> ReadNext();
 
   // Empty: moved away.
   std::string folder_;
+  bool is_kept_ = false;
   std::vector<WriteLog> starts_;
   // How much of it Disk() has.
   std::size_t replayed_ = 0;
