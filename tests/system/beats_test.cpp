@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ constexpr Duration kLongestBeats = 7s;
 struct RunningProgram {
   std::string name, program;
   std::vector<std::string> words;
+  friend void PrintTo(const RunningProgram& running, std::ostream* out) { *out << running.name; }
 };
 
 // One for each unit of the box that is no oneshot but the stage's, which needs a screen (watchdog_test.cpp).

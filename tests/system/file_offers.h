@@ -18,6 +18,7 @@ namespace kaori::test {
 struct Offer {
   std::string name;
   std::function<void(const std::filesystem::path& file)> put;
+  friend void PrintTo(const Offer& offer, std::ostream* out) { *out << offer.name; }
 };
 
 inline void Fill(const std::filesystem::path& file, const std::string& text) {

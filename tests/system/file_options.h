@@ -1,6 +1,7 @@
 // Which options of which programs are tried with what is no file, and which are not, each with its reason.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct FileOption {
   std::string file = "file";  // Its name in the folder.
   // What is no fault of this option: the program ends, with whatever it says of the rest.
   std::vector<std::string> passes{};
+  friend void PrintTo(const FileOption& option, std::ostream* out) { *out << option.name; }
 };
 
 // All rows; each is tried with everything of Offers().

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Condition {
   LipSettings settings;
   ports::CameraFormat format{640, 480, ports::PixelFormat::kYuyv};
   int jpeg_quality = 85;
+  friend void PrintTo(const Condition& condition, std::ostream* out) { *out << condition.name; }
 };
 
 // What an ordinary stage does, and what goes beyond it.
