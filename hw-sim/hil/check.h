@@ -130,7 +130,7 @@ struct Check {
   // box that mends itself sooner than a check looks would seem whole.
   bool ends_programs = false;
   // How many rounds of it are run at an effort of 1, and how many a larger one makes at most: each is the whole check, with other chance
-  // and its own number.
+  // and its own number, and may begin with what the first one has kept.
   int least_rounds = 1, most_rounds = 1;
   // Of a release alone, since it takes more than a quarter of an hour. Never with `chosen`.
   bool release = false;

@@ -10,7 +10,7 @@
 
 namespace kaori::hil {
 
-// Files in a folder of its own below the bench's, which go with it. One thread.
+// Files in a folder of its own below the bench's, which go with it unless they are kept. One thread.
 class UpdateHistory {
  public:
   // The disk of a PC that is off, from which all begins. Errors: io_error.
