@@ -26,18 +26,21 @@ using tests::Visitor;
 
 // As out/trust.json has it of the desk.
 constexpr auto kLongestAnswer = std::chrono::milliseconds(1000);
-constexpr auto kTurn = std::chrono::milliseconds(1);
-constexpr int kWatchers = 30;  // More than one address may have.
+constexpr auto kTick = std::chrono::milliseconds(1);
+constexpr int kVisitors = 30;  // More than one address may have.
+constexpr int kShare = 24;     // What it may have.
 
 class ConsoleVisitors : public ::testing::Test {
  protected:
   ConsoleVisitors() {
-    EXPECT_TRUE(loop_.Every(kTurn, [this] { loop_.Stop(); }));
+    EXPECT_TRUE(loop_.Every(kTick, [this] {
+      if (++ticks_ % 2 == 0) loop_.Stop();
+    }));
     const std::string address = console_->address();
     port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
   }
 
-  // A turn of the console's loop.
+  // A turn of the console's loop: all that is ready is served between its two ticks, however late the first one is.
   std::function<void()> Pump() {
     return [this] { EXPECT_TRUE(loop_.Run()); };
   }
@@ -53,6 +56,7 @@ class ConsoleVisitors : public ::testing::Test {
   std::unique_ptr<sim::Rig> rig_ = sim::Rig::Open({.folder = folder_.path() + "/link"}, clock_).value();
   std::unique_ptr<Console> console_ = Console::Open({}, *rig_, loop_).value();
   std::uint16_t port_ = 0;
+  int ticks_ = 0;
 };
 
 TEST_F(ConsoleVisitors, DoNotWaitForAThousandWhoSayNothingOrHalfAWord) {
@@ -65,16 +69,17 @@ TEST_F(ConsoleVisitors, DoNotWaitForAThousandWhoSayNothingOrHalfAWord) {
 }
 
 TEST_F(ConsoleVisitors, OfOneAddressWhoAllWatchLeaveRoomForOthers) {
+  const auto has_state = [](const std::string& all) { return all.find("data: ") != all.npos; };
   std::vector<std::unique_ptr<Visitor>> crowd;
-  for (int n = 0; n < kWatchers; ++n) {
+  int watching = 0;
+  for (int n = 0; n < kVisitors; ++n) {
     crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
     crowd.back()->Send(RequestOf({.path = "/events"}, port_));
-    for (int turn = 0; turn < 5; ++turn) Pump()();
+    watching += has_state(crowd.back()->Receive(has_state)) ? 1 : 0;
   }
-  EXPECT_TRUE(crowd.back()->IsCutOff()) << "its address has its share";
+  EXPECT_EQ(watching, kShare);
   EXPECT_EQ(StatusOf(Ask({})), 0) << "those who watch go on";
   EXPECT_EQ(StatusOf(Ask({}, 2)), 200) << "of another address";
-  const auto has_state = [](const std::string& all) { return all.find("data: ") != all.npos; };
   EXPECT_TRUE(has_state(crowd.front()->Receive(has_state)));
 }
 
