@@ -165,6 +165,12 @@ class Waiting(unittest.TestCase):
         self.assertGreaterEqual(seconds(value(timer, "OnActiveSec")), 6 * 60)
         self.assertEqual(value(confirm, "RuntimeDirectory"), "kaori-update")
 
+    def test_a_version_that_is_tried_keeps_no_last_face_by_which_it_would_be_judged(self):
+        trial = (UNITS / "kaori-trial.service").read_text()
+        on_trial, settled = re.findall(r"^ConditionPathExists=!?(.+)$", trial, re.M)
+        stage = value((UNITS / "kaori-stage.service").read_text(), "ExecStart")
+        self.assertIn(f" --trial {on_trial} --settled {settled} ", stage)
+
     def test_what_is_kept_lies_beside_the_root_whatever_a_stick_calls_its_own(self):
         link = value((UNITS / "var-lib-kaori.mount").read_text(), "What")
         rules = (ROOTFS / "overlay/usr/lib/udev/rules.d/70-kaori.rules").read_text()

@@ -18,6 +18,8 @@ namespace {
 
 // Between two writings, which wear the disk; a scene that is called meanwhile is kept when it is over.
 constexpr Duration kBetween = std::chrono::seconds(30);
+// Between two questions whether a trial is over.
+constexpr Duration kBetweenQuestions = std::chrono::seconds(1);
 // Seconds after the beginning of a blink (0.26 s long) from which on the eyes look awake, and the shut part
 // of a lid, 0..1, up to which they count as open.
 constexpr float kBlinkOver_s = 0.6F;
@@ -106,8 +108,11 @@ std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, cons
 }
 
 // What was recalled is what lies on the disk, so that a show in which nobody touches anything writes nothing.
-LastFace::LastFace(LastFaceFile where, Look look, const std::optional<performance::State>& recalled)
-    : look_(std::move(look)), writer_(std::make_unique<Writer>(std::move(where))) {
+LastFace::LastFace(LastFaceFile where, Look look, IsOnTrial is_on_trial,
+                   const std::optional<performance::State>& recalled)
+    : look_(std::move(look)),
+      is_on_trial_(std::move(is_on_trial)),
+      writer_(std::make_unique<Writer>(std::move(where))) {
   if (recalled) kept_ = CalledOf(*recalled);
 }
 
@@ -134,8 +139,11 @@ void LastFace::Observe(const performance::State& state, const scene::Scene& scen
   const bool waits = now > still_at_ && now < still_at_ + kMotionWait;
   if (now < not_before_ || waits || !fit_ || !IsCalm(state, scene)) return;
   if (writer_->failed()) kept_.reset();
-  if (kept_ == CalledOf(state) || !Keep()) return;
-  not_before_ = now + kBetween;
+  if (kept_ == CalledOf(state)) return;
+  if (is_on_trial_())
+    not_before_ = now + kBetweenQuestions;
+  else if (Keep())
+    not_before_ = now + kBetween;
 }
 
 // The picture is read back from the graphics card here, on the stage's thread; only the disk is left to the
@@ -155,7 +163,7 @@ void LastFace::Finish() {
 
 // Waits twice: for the writing that may be under way, since its buffers are in use, and for the new one.
 void LastFace::KeepNow() {
-  if (!fit_) return;
+  if (!fit_ || is_on_trial_()) return;
   Finish();
   Keep();
   Finish();

@@ -52,14 +52,20 @@ std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, cons
 // or a dial changed it, once no fade, motion or blink is under way; not in a blackout, nor with words on the
 // screen. Of the disk's errors each kind is logged once, and the show goes on. The owner calls KeepNow before
 // it ends in order; a stage that is killed loses half a minute at most, and the file is never half written.
+// While an update is tried nothing is kept: its face is judged by the one that the system before has kept,
+// which greets the audience again where the update gives way.
 class LastFace {
  public:
   // Copies out what is on the screen; false where there is nothing. Called on the stage's thread; it may wait
   // for the graphics card.
   using Look = std::function<bool(SmallImage&)>;
+  // Whether this system is tried, and has not been confirmed yet. Asked when there is something to be kept,
+  // once a second at most.
+  using IsOnTrial = std::function<bool()>;
 
   // `recalled` is what lies there already, so that it is not written again; empty where there is nothing.
-  LastFace(LastFaceFile where, Look look, const std::optional<performance::State>& recalled);
+  LastFace(LastFaceFile where, Look look, IsOnTrial is_on_trial,
+           const std::optional<performance::State>& recalled);
   // Waits for the disk.
   ~LastFace();
   LastFace(const LastFace&) = delete;
@@ -70,7 +76,7 @@ class LastFace {
   void Observe(const performance::State& state, const scene::Scene& scene, Time now);
 
   // Keeps what was observed last, however new, and waits for the disk: for an orderly end. Does nothing in a
-  // blackout, with words on the screen, or before the first frame.
+  // blackout, with words on the screen, in a trial, or before the first frame.
   void KeepNow();
 
   // Waits until what was copied out is on the disk, or was refused.
@@ -92,6 +98,7 @@ class LastFace {
   bool Keep();
 
   Look look_;
+  IsOnTrial is_on_trial_;
   std::unique_ptr<Writer> writer_;
   // What the file holds, or will when the writer is done; nothing where that is not known.
   std::optional<Called> kept_;

@@ -121,7 +121,11 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(
   const auto look = [&studio](kaori::stage::SmallImage& into) {
     return studio.ReadSmall(kStillWidth_px, into);
   };
-  return std::make_unique<kaori::stage::LastFace>(where, look, taken_up);
+  const auto is_on_trial = [&settings] {
+    std::error_code none;
+    return std::filesystem::exists(settings.trial, none) && !std::filesystem::exists(settings.settled, none);
+  };
+  return std::make_unique<kaori::stage::LastFace>(where, look, is_on_trial, taken_up);
 }
 
 // What a stage is made of, before anything is drawn.

@@ -23,6 +23,9 @@ constexpr std::string_view kStageHelp = R"(kaori-stage: draws the face that the 
   --own FOLDER    where the box's own roles.toml lies, and expressions that are made on it are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
   --last-face FILE  the last face is kept there, and the show goes on with it when the box is switched on
+  --trial FILE    while this file is there, and that of --settled is not, no last face is kept: the one that lies there is what an update
+                  is judged by
+  --settled FILE  says that the trial is over
   --evening FILE  plays the evening of this show log again, without the part of one operator, who is live: minus one
   --without ROLE  whose part that is; "lips" is that of lips and voice
   --at TIME       where it begins, by the clock of that evening, as in 19:43:10
@@ -65,6 +68,8 @@ std::optional<int> ParseOptions(int argc, char** argv, StageOptions& into) {
       .Text("--fdkeeper", into.fdkeeper)
       .Text("--still", into.still)
       .Text("--looked-at", into.looked_at)
+      .Text("--trial", into.trial)
+      .Text("--settled", into.settled)
       .Text("--keys", into.keys)
       .Switch("--early", into.early)
       .Switch("--verified", into.verified);

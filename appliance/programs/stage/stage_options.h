@@ -12,7 +12,7 @@ namespace kaori::stage {
 struct StageOptions {
   // Each as given, and empty where it was not; the help text says what they mean.
   std::string log, still, last_face, board, pack, links, card, trust, shows, chosen, rehearse, own, mode,
-      fdkeeper, looked_at, keys, settings = "/run/kaori-profile", quality = "auto";
+      fdkeeper, looked_at, trial, settled, keys, settings = "/run/kaori-profile", quality = "auto";
   EveningOptions evening;
   bool early = false, verified = false;
 };

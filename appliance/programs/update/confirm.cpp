@@ -81,7 +81,7 @@ class Looks {
  private:
   const TrialPlaces& places_;
   Restarts restarts_;
-  // The last face that the system before has kept: what is tried keeps one of its own, which says nothing of it.
+  // The last face that the system before has kept: a stage keeps none while it is tried, since that would speak for itself.
   std::string last_;
   ShownFrames frames_;
   // When the picture of the look before was made: a stage that hangs makes no new one.
