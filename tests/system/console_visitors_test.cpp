@@ -78,6 +78,7 @@ TEST_F(ConsoleVisitors, OfOneAddressWhoAllWatchLeaveRoomForOthers) {
     watching += has_state(crowd.back()->Receive(has_state)) ? 1 : 0;
   }
   EXPECT_EQ(watching, kShare);
+  EXPECT_TRUE(crowd.back()->IsCutOff()) << "its address has its share";
   EXPECT_EQ(StatusOf(Ask({})), 0) << "those who watch go on";
   EXPECT_EQ(StatusOf(Ask({}, 2)), 200) << "of another address";
   EXPECT_TRUE(has_state(crowd.front()->Receive(has_state)));
