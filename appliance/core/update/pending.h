@@ -14,7 +14,8 @@ namespace kaori::update {
 // Where a box keeps it, on the data partition; kaori-update writes it, kaori-shows reads it.
 inline constexpr const char* kPendingFile = "/var/lib/kaori/update/pending";
 
-// The same three words of the system from which an update was last tried, as long as it lies in its slot; its tries say nothing.
+// The same three words of the system that the last update was brought in beside, or tried from, as long as it lies in its slot; its
+// tries say nothing.
 inline constexpr const char* kBeforeFile = "/var/lib/kaori/update/before";
 
 // An update that is whole in its slot.

@@ -176,7 +176,7 @@ void Installation::ReadPiece() {
 void Installation::Begin() {
   if (auto ok = notes_.ForgetPending(); !ok) return RefuseNote(ok.error());
   if (auto ok = notes_.Reserve(); !ok) return RefuseNote(ok.error());
-  if (auto ok = notes_.ForgetBefore(); !ok) return RefuseNote(ok.error());
+  if (auto ok = notes_.BeginOverwriting(); !ok) return RefuseNote(ok.error());
   progress_.message = Message::kWriting;
   BeginPart();
 }
@@ -268,9 +268,12 @@ void Installation::ReadPieceBack() {
   stage_ = Stage::kNote;
 }
 
+// Also where nobody asks for a try and a person starts the other slot by hand, the version that it replaces is known.
 void Installation::Note() {
+  if (auto ok = notes_.KeepBefore({running_.version, running_.slot, 0}); !ok) return RefuseNote(ok.error());
   if (auto ok = notes_.KeepPending({manifest_.version, ports::Other(running_.slot), 0}); !ok)
     return RefuseNote(ok.error());
+  static_cast<void>(notes_.EndOverwriting());  // Where it stays it is of no version that is newer.
   progress_.message = Message::kWaits;
   stage_ = Stage::kEnded;
 }

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <cstdio>
+
 #include <utility>
 
 #include "drivers/base/read_file.h"
@@ -14,6 +16,7 @@ constexpr std::size_t kMostLastTry_bytes = std::size_t{128} << 10U;
 // A last try with its log, the two short notes, and what the file system needs for their names.
 constexpr std::size_t kReserved_bytes = kMostLastTry_bytes + (std::size_t{32} << 10U);
 constexpr const char* kReserved = "reserved";
+constexpr const char* kOverwritten = "overwritten";
 
 class NotesFolder final : public Notes {
  public:
@@ -24,7 +27,15 @@ class NotesFolder final : public Notes {
   Result<void> ForgetPending() override { return Remove("pending"); }
   std::optional<Pending> ReadBefore() const override { return update::ReadPending(folder_ / "before"); }
   Result<void> KeepBefore(const Pending& before) override { return Keep("before", Format(before)); }
-  Result<void> ForgetBefore() override { return Remove("before"); }
+  Result<void> BeginOverwriting() override {
+    if (::rename((folder_ / "before").c_str(), (folder_ / kOverwritten).c_str()) < 0)
+      return errno == ENOENT ? Result<void>{} : FailErrno("rename " + (folder_ / "before").string());
+    return SyncFolder(folder_);
+  }
+  Result<void> EndOverwriting() override { return Remove(kOverwritten); }
+  std::optional<Pending> ReadOverwritten() const override {
+    return update::ReadPending(folder_ / kOverwritten);
+  }
   std::string ReadLastTry() const override {
     return ReadBeginning(folder_ / "last-try", kMostLastTry_bytes).value_or("");
   }

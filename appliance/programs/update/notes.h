@@ -3,7 +3,9 @@
 // In the folder `update` of the data partition lie
 //   pending   the update that lies in the other slot and waits to be tried, or is being tried
 //   last-try  what became of the last try, and the end of its log
-//   before    the system from which an update was last tried: it lies in its slot until the next update is written there
+//   before    the system that the last update was brought in beside, or tried from: it lies in its slot until the next update
+//             is written there
+//   overwritten  that note, from when the writing is begun until the update is whole: how old what lies there may still be
 //   reserved  room for these, so that a partition which becomes full still takes them
 #pragma once
 
@@ -23,13 +25,16 @@ class Notes {
  public:
   virtual ~Notes() = default;
   virtual std::optional<Pending> ReadPending() const = 0;
-  // Each returns once it is on the disk. Errors: those of WriteWholeFile and unlink(2).
+  // Each returns once it is on the disk. Errors: those of WriteWholeFile, rename(2) and unlink(2).
   virtual Result<void> KeepPending(const Pending& pending) = 0;
   virtual Result<void> ForgetPending() = 0;
   // The same three words as of an update that waits; its tries say nothing.
   virtual std::optional<Pending> ReadBefore() const = 0;
   virtual Result<void> KeepBefore(const Pending& before) = 0;
-  virtual Result<void> ForgetBefore() = 0;
+  // Nobody goes back to it from here on. Until the writing has ended its note is the overwritten one.
+  virtual Result<void> BeginOverwriting() = 0;
+  virtual Result<void> EndOverwriting() = 0;
+  virtual std::optional<Pending> ReadOverwritten() const = 0;
   // Lines: what became of the try, then the end of its log. Empty where nothing was tried.
   virtual std::string ReadLastTry() const = 0;
   // An empty text removes it.

@@ -62,8 +62,8 @@ Outcome BeginTry(ports::BootChoice& choice, Notes& notes, std::uint32_t version)
 namespace {
 
 // Below what the running system lets this box become. Without a note of it both slots hold what the image was made with.
-bool IsBelowLeast(const std::optional<Pending>& before, ports::BootChoice& choice, const Running& running) {
-  return before && before->slot == ports::Other(choice.running()) && before->version < running.least;
+bool IsBelowLeast(const Pending& there, ports::BootChoice& choice, const Running& running) {
+  return there.slot == ports::Other(choice.running()) && there.version < running.least;
 }
 
 // With a note that is made for it. Where the try cannot be begun, both notes are as they were.
@@ -86,8 +86,8 @@ Outcome TryOther(ports::BootChoice& choice, Notes& notes, const Running& running
   const auto pending = notes.ReadPending();
   if (pending && pending->tries > 0) return {Message::kTriedOften, pending->version};
   if (pending) return BeginTry(choice, notes, running.version);
-  const auto before = notes.ReadBefore();
-  if (IsBelowLeast(before, choice, running)) return {Message::kBelowLeast, before->version};
+  for (const auto& there : {notes.ReadBefore(), notes.ReadOverwritten()})
+    if (there && IsBelowLeast(*there, choice, running)) return {Message::kBelowLeast, there->version};
   return BeginNoted(choice, notes, {0, ports::Other(choice.running()), 0}, running.version);
 }
 
@@ -95,7 +95,7 @@ Outcome TryWhatIsThere(ports::BootChoice& choice, Notes& notes, const Running& r
   if (notes.ReadPending()) return BeginTry(choice, notes, running.version);
   const auto before = notes.ReadBefore();
   if (!before || before->slot != ports::Other(choice.running())) return {Message::kNothingWaits};
-  if (IsBelowLeast(before, choice, running)) return {Message::kBelowLeast, before->version};
+  if (IsBelowLeast(*before, choice, running)) return {Message::kBelowLeast, before->version};
   return BeginNoted(choice, notes, {before->version, before->slot, 0}, running.version);
 }
 

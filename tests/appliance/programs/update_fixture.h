@@ -48,6 +48,7 @@ class SimulatedNotes final : public Notes {
   explicit SimulatedNotes(const sim::SimulatedDisk* disk = nullptr) : disk_(disk) {}
   std::optional<Pending> pending{};
   std::optional<Pending> before{};
+  std::optional<Pending> overwritten{};
   std::string last_try{};
   // What Reserve fails with.
   std::optional<std::errc> no_room{};
@@ -64,10 +65,15 @@ class SimulatedNotes final : public Notes {
     before = wanted;
     return {};
   }
-  Result<void> ForgetBefore() override {
-    before.reset();
+  Result<void> BeginOverwriting() override {
+    if (before) overwritten = std::exchange(before, std::nullopt);
     return {};
   }
+  Result<void> EndOverwriting() override {
+    overwritten.reset();
+    return {};
+  }
+  std::optional<Pending> ReadOverwritten() const override { return overwritten; }
   Result<void> Reserve() override {
     return no_room ? Result<void>(Fail(*no_room, "reserve room")) : Result<void>{};
   }
@@ -87,6 +93,26 @@ class SimulatedNotes final : public Notes {
   }
   const sim::SimulatedDisk* disk_;
 };
+
+// The file of an update of these unpacked parts; lengths and checksums of the manifest are filled in.
+inline Bytes MakeBundle(Manifest manifest, const std::vector<Bytes>& parts, const show::SecretKey& signer) {
+  Bytes payload;
+  for (std::size_t n = 0; n < kParts; ++n) {
+    const Bytes packed = Pack(parts.at(n)).value();
+    show::Checksummer sum;
+    sum.Add(parts.at(n));
+    manifest.parts[n] = {
+        .packed_bytes = packed.size(), .bytes = parts.at(n).size(), .checksum = sum.Finish()};
+    payload.insert(payload.end(), packed.begin(), packed.end());
+  }
+  show::Checksummer sum;
+  sum.Add(payload);
+  manifest.payload = sum.Finish();
+  manifest.payload_bytes = payload.size();
+  const Header header = MakeHeader(manifest, signer);
+  payload.insert(payload.begin(), header.begin(), header.end());
+  return payload;
+}
 
 class UpdateTest : public ::testing::Test {
  protected:
@@ -117,23 +143,8 @@ class UpdateTest : public ::testing::Test {
   static Manifest ManifestOf(std::uint32_t version) {
     return {.version = version, .from = 1, .news = "what is new"};
   }
-  Bytes BundleOf(Manifest manifest, const show::SecretKey& signer) const {
-    Bytes payload;
-    const auto parts = PartsOf(manifest.version);
-    for (std::size_t n = 0; n < kParts; ++n) {
-      const Bytes packed = Pack(parts[n]).value();
-      show::Checksummer sum;
-      sum.Add(parts[n]);
-      manifest.parts[n] = {.packed_bytes = packed.size(), .bytes = parts[n].size(), .checksum = sum.Finish()};
-      payload.insert(payload.end(), packed.begin(), packed.end());
-    }
-    show::Checksummer sum;
-    sum.Add(payload);
-    manifest.payload = sum.Finish();
-    manifest.payload_bytes = payload.size();
-    const Header header = MakeHeader(manifest, signer);
-    payload.insert(payload.begin(), header.begin(), header.end());
-    return payload;
+  static Bytes BundleOf(const Manifest& manifest, const show::SecretKey& signer) {
+    return MakeBundle(manifest, PartsOf(manifest.version), signer);
   }
   Bytes BundleOf(std::uint32_t version) const { return BundleOf(ManifestOf(version), maker_); }
 

@@ -126,6 +126,21 @@ TEST_F(UpdateInstallation, ForgetsWhatWaitedBeforeItsFirstWrite) {
   EXPECT_EQ(notes_.pending, std::nullopt);
 }
 
+// Nothing was written: what lies there is still the system before, which has a hole.
+TEST_F(UpdateInstallation, OfAStickThatIsPulledBeforeTheFirstWriteLeavesWhatIsKnownOfTheOtherSlot) {
+  const Pending old{2, ports::Slot::kB, 0};
+  notes_.before = old;
+  auto pulled = std::make_unique<SimulatedSource>(BundleOf(6));
+  pulled->readings_left = 2;
+  EXPECT_EQ(Install(std::move(pulled)).message, Message::kPulled);
+  EXPECT_TRUE(disk_.events().empty());
+  EXPECT_EQ(notes_.before, std::nullopt) << "nobody goes back to it, for it may be written in part";
+  EXPECT_EQ(notes_.overwritten, old);
+  ASSERT_EQ(Install(BundleOf(6)).message, Message::kWaits);
+  EXPECT_EQ(notes_.overwritten, std::nullopt) << "it is the update that lies there now";
+  EXPECT_EQ(notes_.before, (Pending{5, ports::Slot::kA, 0})) << "who starts it by hand can go back, too";
+}
+
 // At each reading once; a whole update has some dozens.
 TEST_F(UpdateInstallation, OfAStickThatIsPulledAtAnyReadingLeavesNothingThatWaitsOrStarts) {
   const Bytes kernel = OnDisk(kKernelB, kKernel);

@@ -1,7 +1,6 @@
 // A version that is tried stays when its face was seen for a minute, and gives way otherwise.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include "appliance/programs/update/running.h"
 #include "appliance/programs/update/trial.h"
@@ -153,6 +152,15 @@ TEST_F(UpdateTrial, OfTheSystemBeforeIsNotMadeWhereItIsBelowTheLeast) {
   EXPECT_EQ(choice_.SwitchOn(), Slot::kA);
 }
 
+TEST_F(UpdateTrial, OfAnOldSystemThatIsPerhapsWrittenInPartIsNotMadeBelowTheLeast) {
+  notes_.pending.reset();
+  notes_.overwritten = Pending{2, Slot::kB, 0};
+  EXPECT_EQ(TryOther(choice_, notes_, Runs(5, 3)).message, Message::kBelowLeast);
+  EXPECT_EQ(TryWhatIsThere(choice_, notes_, Runs(5, 2)).message, Message::kNothingWaits)
+      << "it is no system to go back to";
+  EXPECT_EQ(TryOther(choice_, notes_, Runs(5, 2)).message, Message::kRestarts) << "but better than no face";
+}
+
 TEST_F(UpdateTrial, OfTheSystemBeforeIsAPersonsWishAndBoundByTheLeastVersionToo) {
   notes_.pending.reset();
   EXPECT_EQ(TryWhatIsThere(choice_, notes_, Runs(6)).message, Message::kNothingWaits);
@@ -220,43 +228,6 @@ TEST(UpdateConfirmation, GivesWayAfterThreeMinutesWithItsLastFault) {
         << at;
   EXPECT_EQ(confirmation.Observe({}, began + seconds(180)), Verdict::kGivesWay);
   EXPECT_EQ(confirmation.reason(), (Reason{"it flickers", "点滅"}));
-}
-
-TEST(UpdateNotes, AreThereAfterAStartAndATextThatIsNoneIsNone) {
-  const sim::TempFolder folder;
-  const auto notes = OpenNotes(folder.path() + "/update");
-  EXPECT_EQ(notes->ReadPending(), std::nullopt);
-  ASSERT_TRUE(notes->KeepPending({12, Slot::kA, 2}));
-  ASSERT_TRUE(notes->KeepLastTry("why\nits log"));
-  const auto after = OpenNotes(folder.path() + "/update");
-  EXPECT_EQ(after->ReadPending(), (Pending{12, Slot::kA, 2}));
-  EXPECT_EQ(after->ReadLastTry(), "why\nits log");
-  ASSERT_TRUE(after->ForgetPending());
-  ASSERT_TRUE(after->KeepLastTry(""));
-  EXPECT_EQ(notes->ReadPending(), std::nullopt);
-  EXPECT_EQ(notes->ReadLastTry(), "");
-  for (const char* text : {"", "12 A", "12 C 0\n", "x A 0\n", "12 A 0\nmore"})
-    EXPECT_EQ(ParsePending(text), std::nullopt) << text;
-}
-
-TEST(UpdateNotes, OfASystemBeforeAreKeptBesideThoseOfTheUpdate) {
-  const sim::TempFolder folder;
-  const auto notes = OpenNotes(folder.path() + "/update");
-  EXPECT_EQ(notes->ReadBefore(), std::nullopt);
-  ASSERT_TRUE(notes->KeepBefore({11, Slot::kA, 0}));
-  EXPECT_EQ(OpenNotes(folder.path() + "/update")->ReadBefore(), (Pending{11, Slot::kA, 0}));
-  EXPECT_EQ(notes->ReadPending(), std::nullopt);
-}
-
-TEST(UpdateNotes, HaveRoomReservedThatIsOfTheDisk) {
-  const sim::TempFolder folder;
-  const auto notes = OpenNotes(folder.path() + "/update");
-  ASSERT_TRUE(notes->Reserve());
-  struct stat status {};
-  ASSERT_EQ(::stat((folder.path() + "/update/reserved").c_str(), &status), 0);
-  EXPECT_GE(status.st_size, 160 << 10);
-  EXPECT_GE(status.st_blocks * 512, 160 << 10) << "no hole";
-  EXPECT_TRUE(notes->Reserve()) << "it is there";
 }
 
 TEST(UpdateRunning, IsReadFromTheRootAndFromTheFirstProgram) {
