@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-
 #include <utility>
 
 #include "drivers/base/read_file.h"
@@ -13,7 +12,7 @@ namespace kaori::update {
 namespace {
 
 constexpr std::size_t kMostLastTry_bytes = std::size_t{128} << 10U;
-// A last try with its log, the two short notes, and what the file system needs for their names.
+// A last try with its log, the three short notes, and what the file system needs for their names.
 constexpr std::size_t kReserved_bytes = kMostLastTry_bytes + (std::size_t{32} << 10U);
 constexpr const char* kReserved = "reserved";
 constexpr const char* kOverwritten = "overwritten";

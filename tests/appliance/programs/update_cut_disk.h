@@ -32,8 +32,8 @@ class CutDisk {
   std::vector<std::uint8_t>& content() { return disk_.content(); }
   // A control: it says that it has flushed, and has not.
   void Lie() { lies_ = true; }
-  // The power went or the machine starts again, which a disk that lies takes for the same.
-  void Settle(bool was_cut, std::mt19937& chance);
+  // The machine starts again: all is on the disk, or part of it where the power went.
+  void Settle(std::mt19937& chance);
 
  private:
   class Part;
@@ -60,7 +60,8 @@ class CutDisk::Part final : public ports::BlockDevice {
     disk_.waiting_.push_back({at_ + at, Bytes(begin, begin + static_cast<std::ptrdiff_t>(from.size()))});
     auto ok = part_->Write(at, from);
     disk_.disk_.ForgetEvents();
-    if (!disk_.power_.Spend() || !disk_.power_.is_on()) return Fail(std::errc::io_error, "write the disk");
+    disk_.power_.Spend();
+    if (!disk_.power_.is_on()) return Fail(std::errc::io_error, "write the disk");
     return ok;
   }
   Result<void> Flush() override {
@@ -79,7 +80,8 @@ inline std::unique_ptr<ports::BlockDevice> CutDisk::Partition(std::uint64_t at, 
   return std::make_unique<Part>(*this, at, bytes);
 }
 
-inline void CutDisk::Settle(bool was_cut, std::mt19937& chance) {
+inline void CutDisk::Settle(std::mt19937& chance) {
+  const bool was_cut = !power_.is_on();
   constexpr std::size_t kSector = 512;
   for (auto write = waiting_.rbegin(); was_cut && write != waiting_.rend(); ++write)
     for (std::size_t from = 0; from < write->before.size(); from += kSector)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <optional>
@@ -93,6 +94,12 @@ class SimulatedNotes final : public Notes {
   }
   const sim::SimulatedDisk* disk_;
 };
+
+// How much more than each run a release tries: KAORI_UPDATE_EFFORT, 1 where it is not set.
+inline std::size_t Effort() {
+  const char* effort = std::getenv("KAORI_UPDATE_EFFORT");
+  return effort != nullptr ? std::max(1UL, std::strtoul(effort, nullptr, 10)) : 1;
+}
 
 // The file of an update of these unpacked parts; lengths and checksums of the manifest are filled in.
 inline Bytes MakeBundle(Manifest manifest, const std::vector<Bytes>& parts, const show::SecretKey& signer) {

@@ -1,6 +1,4 @@
 // An update is brought into the other slot whole, or the box says in one line why not.
-#include <cstdlib>
-
 #include "tests/appliance/programs/update_fixture.h"
 
 namespace kaori::update {
@@ -8,10 +6,9 @@ namespace {
 
 using UpdateInstallation = UpdateTest;
 
-// How many altered updates each test tries: KAORI_UPDATE_EFFORT times as many, 1 where it is not set.
+// How many altered updates each test tries.
 std::size_t AlteredCount() {
-  const char* effort = std::getenv("KAORI_UPDATE_EFFORT");
-  return 200 * (effort != nullptr ? std::max(1UL, std::strtoul(effort, nullptr, 10)) : 1);
+  return 200 * Effort();
 }
 
 TEST_F(UpdateInstallation, WritesRootTreeAndKernelOfTheOtherSlotAndSaysThatItWaits) {

@@ -10,7 +10,7 @@ using ports::Slot;
 void BoxOfYears::Start() {
   ++lived_.starts;
   if (!power_.is_on()) ++lived_.cuts;
-  disk_.Settle(!power_.is_on(), chance_);
+  disk_.Settle(chance_);
   const Slot by_itself = ByItself();
   const bool is_once = once_.has_value();
   const auto asked = std::exchange(asked_, std::nullopt);

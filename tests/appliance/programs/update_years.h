@@ -110,8 +110,8 @@ class BoxOfYears {
   // Root, hash tree and the kernels of a version, whose number stands in front of its root.
   const std::vector<Bytes>& PartsOf(std::uint32_t version) {
     auto& parts = parts_[version];
+    if (!parts.empty()) return parts;
     for (const std::uint64_t bytes : {kRoot, kVerity, kKernel, kKernel}) {
-      if (parts.size() == kParts) break;
       parts.emplace_back(bytes);
       std::ranges::generate(parts.back(), [&] { return static_cast<std::uint8_t>(chance_()); });
     }

@@ -1,18 +1,14 @@
 // Whatever happens to a box in years, and wherever the power goes, it starts with a system that is whole and was seen to do well.
 #include <gmock/gmock.h>
 
-#include <cstdlib>
-
 #include "tests/appliance/programs/update_years.h"
 
 namespace kaori::update {
 namespace {
 
-// KAORI_UPDATE_EFFORT of a release is in the hundreds; a box of 300 starts takes a quarter of a second.
+// The effort of a release is in the hundreds; a box of 300 starts takes a quarter of a second.
 std::uint32_t Boxes() {
-  const char* effort = std::getenv("KAORI_UPDATE_EFFORT");
-  const auto tens = effort != nullptr ? std::strtoul(effort, nullptr, 10) / 10 : 0;
-  return 10 * std::max(1U, static_cast<std::uint32_t>(tens));
+  return 10 * std::max(1U, static_cast<std::uint32_t>(Effort() / 10));
 }
 
 // What the boxes before the first wrong one have lived through, and what is wrong with that.
