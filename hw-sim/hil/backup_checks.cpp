@@ -25,15 +25,6 @@ struct First {
   std::string show, number, stick;
 };
 
-// Chooses the line of the list with these words, and waits for what the box says of it.
-Result<void> ChooseLine(Scene& scene, std::string_view line, std::string_view answer, Duration longest) {
-  if (auto ok = WantStickSaid(scene, line, kLongestReading); !ok) return ok;
-  const auto key = KeyOfLine(scene, line);
-  if (!key) return tl::unexpected(key.error());
-  if (PressFor(scene, *key, answer)) return {};
-  return WantStickSaid(scene, answer, longest);
-}
-
 // A show of its own, and its backup on a stick that was empty.
 Result<First> BackUp(Scene& scene) {
   if (auto ok = BringKey(scene, "evening"); !ok) return tl::unexpected(ok.error());

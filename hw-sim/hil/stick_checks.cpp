@@ -111,10 +111,8 @@ Result<void> WantSupportFile(Scene& scene) {
   const auto plugged = PlugEmptyStick(scene, "support");
   if (!plugged) return tl::unexpected(plugged.error());
   const std::string& stick = *plugged;
-  if (auto ok = WantStickSaid(scene, kLine, kLongestReading); !ok) return ok;
-  const auto key = KeyOfLine(scene, kLine);
-  if (!key) return tl::unexpected(key.error());
-  if (auto ok = PressFor(scene, *key, "it is on the stick, for a technician"); !ok) return ok;
+  constexpr std::string_view kWritten = "it is on the stick, for a technician";
+  if (auto ok = ChooseLine(scene, kLine, kWritten, kLongestInstalling); !ok) return ok;
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
   std::filesystem::remove_all(read);
   std::filesystem::create_directories(read);

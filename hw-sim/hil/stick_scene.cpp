@@ -23,6 +23,19 @@ constexpr Duration kLongestChange = minutes(5);  // Until the stage draws with a
 constexpr const char* kStickNumber = "46f4:0001 ";
 // Of lines that the list has while a stick is in.
 constexpr std::string_view kOntoStick = "onto the stick";
+constexpr int kMostPresses = 3;
+
+// The key of the list's line with these words: its number, 1 to 9, or 0 for the tenth, which follows on 9 on a keyboard. Errors:
+// invalid_argument, there is none.
+Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words) {
+  const std::string said = TextInBox(scene, kSaid);
+  const std::size_t at = said.find(words);
+  const std::size_t number =
+      at == std::string::npos ? at : said.find_first_of("123456789", said.rfind('\n', at) + 1);
+  if (number >= at) return FailInput(fmt::format("the list has no \"{}\", but says \"{}\"", words, said));
+  const bool is_tenth = said.compare(number, 2, "10") == 0;
+  return static_cast<std::uint8_t>(is_tenth ? kOne + 9 : kOne + (said[number] - '1'));
+}
 
 }  // namespace
 
@@ -72,7 +85,6 @@ Result<void> Plug(Scene& scene, const std::string& stick) {
 
 // A key that is pressed while the list changes is of the list before, or of none: it is pressed again, thrice at most.
 Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
-  constexpr int kMostPresses = 3;
   Result<void> said;
   for (int n = 0; n < kMostPresses; ++n) {
     scene.target.For(seconds(3));
@@ -81,6 +93,25 @@ Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
     if (said) break;
   }
   return said;
+}
+
+// A key that is pressed once more behind what it asked for would ask for it again, with another answer: only a line that the list still has
+// is pressed.
+Result<void> ChooseLine(Scene& scene, std::string_view line, std::string_view answer, Duration longest) {
+  if (auto ok = WantStickSaid(scene, line, kLongestReading); !ok) return ok;
+  const auto is_taken = [&] {
+    const std::string said = TextInBox(scene, kSaid);
+    return !said.empty() && said.find(line) == said.npos;
+  };
+  bool taken = false;
+  for (int n = 0; n < kMostPresses && !taken; ++n) {
+    scene.target.For(seconds(3));
+    const auto key = KeyOfLine(scene, line);
+    if (!key) return tl::unexpected(key.error());
+    scene.TapKey(*key);
+    taken = scene.target.Until(is_taken, seconds(60));
+  }
+  return WantStickSaid(scene, answer, longest);
 }
 
 Result<std::string> ChosenId(Scene& scene) {
@@ -106,17 +137,6 @@ Result<void> WantPlayed(Scene& scene, const std::string& id) {
   if (auto seen = scene.target.UntilBoard(draws, kLongestChange, "see the chosen show drawn"); !seen)
     return tl::unexpected(seen.error());
   return {};
-}
-
-// Lines begin with the number of their key; the tenth has the key 0, which follows on 9 on a keyboard.
-Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words) {
-  const std::string said = TextInBox(scene, kSaid);
-  const std::size_t at = said.find(words);
-  const std::size_t number =
-      at == std::string::npos ? at : said.find_first_of("123456789", said.rfind('\n', at) + 1);
-  if (number >= at) return FailInput(fmt::format("the list has no \"{}\", but says \"{}\"", words, said));
-  const bool is_tenth = said.compare(number, 2, "10") == 0;
-  return static_cast<std::uint8_t>(is_tenth ? kOne + 9 : kOne + (said[number] - '1'));
 }
 
 // The lines go with kaori-shows; the kernel is told by udev once that has ended.

@@ -53,14 +53,15 @@ Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name);
 // just before.
 Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words);
 
+// Presses the key of the list's line with these words until the list has it no more, thrice at most, and waits for what the box says of
+// it. Errors: invalid_argument, there is no such line, or the box says something else.
+Result<void> ChooseLine(Scene& scene, std::string_view line, std::string_view answer, Duration longest);
+
 // The id of the chosen show. Errors: invalid_argument, none is chosen.
 Result<std::string> ChosenId(Scene& scene);
 
 // The stage has begun to play it, and draws.
 Result<void> WantPlayed(Scene& scene, const std::string& id);
-
-// The key of the list's line with these words: its number, 1 to 9, or 0 for the tenth. Errors: invalid_argument, there is none.
-Result<std::uint8_t> KeyOfLine(Scene& scene, std::string_view words);
 
 // Nothing is said of the stick any more, and the kernel has let it go.
 Result<void> WantDead(Scene& scene);
