@@ -23,6 +23,8 @@ constexpr Duration kLongestChange = minutes(5);  // Until the stage draws with a
 constexpr const char* kStickNumber = "46f4:0001 ";
 // Of lines that the list has while a stick is in.
 constexpr std::string_view kOntoStick = "onto the stick";
+// Of each message on something that is copied, checked, read or written.
+constexpr std::string_view kWorks = " is being ";
 constexpr int kMostPresses = 3;
 
 // The key of the list's line with these words: its number, 1 to 9, or 0 for the tenth, which follows on 9 on a keyboard. Errors:
@@ -95,13 +97,13 @@ Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words) {
   return said;
 }
 
-// A key that is pressed once more behind what it asked for would ask for it again, with another answer: only a line that the list still has
-// is pressed.
+// A key that is pressed once more behind what it asked for would ask for it again, with another answer: only a line that the list still
+// has, and that nobody works on, is pressed.
 Result<void> ChooseLine(Scene& scene, std::string_view line, std::string_view answer, Duration longest) {
   if (auto ok = WantStickSaid(scene, line, kLongestReading); !ok) return ok;
   const auto is_taken = [&] {
     const std::string said = TextInBox(scene, kSaid);
-    return !said.empty() && said.find(line) == said.npos;
+    return !said.empty() && (said.find(line) == said.npos || said.find(kWorks) != said.npos);
   };
   bool taken = false;
   for (int n = 0; n < kMostPresses && !taken; ++n) {

@@ -53,8 +53,8 @@ Result<std::string> PlugEmptyStick(Scene& scene, const std::string& name);
 // just before.
 Result<void> PressFor(Scene& scene, std::uint8_t key, std::string_view words);
 
-// Presses the key of the list's line with these words until the list has it no more, thrice at most, and waits for what the box says of
-// it. Errors: invalid_argument, there is no such line, or the box says something else.
+// Presses the key of the list's line with these words until it is worked on or the list has it no more, thrice at most, and waits for what
+// the box says of it. Errors: invalid_argument, there is no such line, or the box says something else.
 Result<void> ChooseLine(Scene& scene, std::string_view line, std::string_view answer, Duration longest);
 
 // The id of the chosen show. Errors: invalid_argument, none is chosen.
