@@ -112,7 +112,7 @@ Result<void> WantSupportFile(Scene& scene) {
   if (!plugged) return tl::unexpected(plugged.error());
   const std::string& stick = *plugged;
   constexpr std::string_view kWritten = "it is on the stick, for a technician";
-  if (auto ok = ChooseLine(scene, kLine, kWritten, kLongestInstalling); !ok) return ok;
+  if (auto ok = ChooseLine(scene, kLine, kWritten, minutes(3)); !ok) return ok;
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
   std::filesystem::remove_all(read);
   std::filesystem::create_directories(read);
