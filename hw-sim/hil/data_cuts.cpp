@@ -199,40 +199,43 @@ Result<std::vector<std::size_t>> PointsOf(Scene& scene, const std::vector<Moment
   return points;
 }
 
-// What one cut found.
-struct Cut {
-  // In words; empty: nothing is wrong.
-  std::string fault;
-  // What is kept changed since the last flush.
-  bool decides = false;
+// What is kept where the power goes at some point: of what was flushed alone, and had nothing been lost.
+struct Bounds {
+  Contents flushed, whole;
 };
 
-// One cut: of the moments from `done` on, which `base` does not have, those before `flush` were flushed, and those to `point`
-// written.
-Result<Cut> CutOnce(const Partition& base, const std::vector<Moment>& moments, std::size_t done,
-                    std::size_t flush, std::size_t point) {
-  const auto flushed = base.Copy("data-flushed"), whole = base.Copy("data-whole"),
-             cut = base.Copy("data-cut");
-  for (const auto* copy : {&flushed, &whole, &cut})
-    if (!*copy) return tl::unexpected(copy->error());
+// Of the moments from `done` on, which `base` does not have, those before `flush` were flushed, and those to `point` written.
+Result<Bounds> BoundsAt(const Partition& base, const std::vector<Moment>& moments, std::size_t done,
+                        std::size_t flush, std::size_t point) {
+  const auto flushed = base.Copy("data-flushed"), whole = base.Copy("data-whole");
+  if (!flushed || !whole) return tl::unexpected(flushed ? whole.error() : flushed.error());
   Result<void> ok;
   for (std::size_t n = done; ok && n <= point; ++n) {
     if (IsFlush(moments[n])) continue;
     if (n < flush) ok = flushed->Put(moments[n]);
     if (ok) ok = whole->Put(moments[n]);
-    if (ok) ok = cut->PutByChance(moments[n]);
   }
   if (!ok) return tl::unexpected(ok.error());
-  const auto was = SoundContents(*flushed), is = SoundContents(*whole);
+  auto was = SoundContents(*flushed), is = SoundContents(*whole);
   if (!was || !is) return tl::unexpected(was ? is.error() : was.error());
-  const auto after = cut->Mended();
-  if (!after) return tl::unexpected(after.error());
-  return Cut{.fault = FaultOf(*after, *was, *is), .decides = *was != *is};
+  return Bounds{std::move(*was), std::move(*is)};
+}
+
+// Cuts the power at a point, and says what is wrong then; empty: nothing.
+Result<std::string> CutOnce(const Partition& base, const std::vector<Moment>& moments, std::size_t done,
+                            std::size_t point, const Bounds& bounds) {
+  const auto cut = base.Copy("data-cut");
+  if (!cut) return tl::unexpected(cut.error());
+  for (std::size_t n = done; n <= point; ++n)
+    if (!IsFlush(moments[n]))
+      if (auto ok = cut->PutByChance(moments[n]); !ok) return tl::unexpected(ok.error());
+  return cut->Mended().map([&](const auto& after) { return FaultOf(after, bounds.flushed, bounds.whole); });
 }
 
 }  // namespace
 
-// The partition goes on from flush to flush, and each cut is made on a copy of it. A disk that lies loses of what came before the flush, too.
+// The partition goes on from flush to flush, and each cut is made on a copy of it; what bounds the cuts at one point is found once. A disk
+// that lies loses of what came before the flush, too.
 Result<DataCuts> CutData(Scene& scene, const UpdateHistory& history, const std::string& disk, int cuts,
                          bool lies) {
   constexpr std::size_t kLiedAbout = 40;  // Writes before the flush.
@@ -246,6 +249,8 @@ Result<DataCuts> CutData(Scene& scene, const UpdateHistory& history, const std::
   if (!points) return tl::unexpected(points.error());
   DataCuts found;
   std::size_t done = 0;
+  std::optional<std::size_t> bound;
+  Bounds bounds;
   for (const std::size_t point : *points) {
     std::size_t flush = point;
     while (flush > 0 && !IsFlush(moments[flush])) --flush;
@@ -253,13 +258,17 @@ Result<DataCuts> CutData(Scene& scene, const UpdateHistory& history, const std::
     for (; done < sure; ++done)
       if (!IsFlush(moments[done]))
         if (auto ok = base.Put(moments[done]); !ok) return tl::unexpected(ok.error());
-    const auto cut = CutOnce(base, moments, done, flush, point);
-    if (!cut) return tl::unexpected(cut.error());
+    if (std::exchange(bound, point) != point) {
+      auto now = BoundsAt(base, moments, done, flush, point);
+      if (!now) return tl::unexpected(now.error());
+      bounds = std::move(*now);
+    }
+    const auto fault = CutOnce(base, moments, done, point, bounds);
+    if (!fault) return tl::unexpected(fault.error());
     ++found.cuts;
-    found.deciding += cut->decides ? 1 : 0;
-    if (cut->fault.empty()) continue;
-    if (found.wrong++ == 0)
-      found.said = fmt::format("a cut at {} of {}: {}", point, moments.size(), cut->fault);
+    found.deciding += bounds.flushed != bounds.whole ? 1 : 0;
+    if (fault->empty()) continue;
+    if (found.wrong++ == 0) found.said = fmt::format("a cut at {} of {}: {}", point, moments.size(), *fault);
   }
   std::error_code none;
   std::filesystem::remove_all(scene.target.machine().options().folder + "/data-cuts", none);

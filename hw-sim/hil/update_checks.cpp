@@ -22,7 +22,7 @@ using std::chrono::seconds;
 // The trial itself takes one to three minutes of the machine, whose clock is the host's.
 constexpr Duration kLongestTrial = minutes(6);
 // In each round.
-constexpr int kUpdateCuts = 10, kDataCuts = 200;
+constexpr int kUpdateCuts = 10, kDataCuts = 2000;
 // Of a disk that lies, until one is found wrong.
 constexpr int kLiesAtOnce = 20, kMostLies = 200;
 

@@ -52,7 +52,7 @@ BOUNDS = {"log_points": (1000, math.inf), "log_points_wrong": (0, 0), "good_slot
           "altered": (200, math.inf), "altered_installed": (0, 0), "altered_wrote_a_byte": (0, 0), "bad_slots": (9, math.inf),
           "bad_slots_kept": (0, 0), "tries_to_return": (0, 1), "controls": (8, math.inf), "controls_passed": (0, 0),
           "years_starts": (3000, math.inf), "years_wrong": (0, 0), "start_sectors_written": (0, 0), "power_cycles": (20, math.inf), "slot_flips": (0, 0), "variable_cuts": (10, math.inf),
-          "variable_cuts_dead": (0, 0), "try_cuts": (10, math.inf), "try_cuts_dead": (0, 0), "bad_versions_booted": (9, math.inf), "data_cuts": (200, math.inf), "data_cuts_wrong": (0, 0),
+          "variable_cuts_dead": (0, 0), "try_cuts": (10, math.inf), "try_cuts_dead": (0, 0), "bad_versions_booted": (9, math.inf), "data_cuts": (2000, math.inf), "data_cuts_wrong": (0, 0),
           "data_cuts_deciding": (1, math.inf), "boots_after_cut": (10, math.inf), "boots_without_face": (0, 0), "update_sectors_astray": (0, 0), "sticks_failed": (6, math.inf),
           "face_rate_while_installing": (0.95, math.inf), "bundle_mb": (0, 95), "added_packed_mb": (0, 4), "install_s": (0, math.inf), "sbom_files_unmatched": (0, 0), "stale_packages": (0, 0)}
 # The least that a release has tried, in so many rounds; ./box test --bench has one.

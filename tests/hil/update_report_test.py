@@ -8,11 +8,11 @@ CASES = [{"log_points": "1800", "log_points_wrong": "0", "good_slot_bytes_change
          *({"control_found": "1"} for _ in range(8)),
          {"years_starts": "3120", "years_wrong": "0"}]
 SEEN = {"update_install_s": 300.0, "sticks_failed": 6, "start_sectors_written": 0, "power_cycles": 20, "slot_flips": 0, "variable_cuts": 10,
-        "variable_cuts_dead": 0, "try_cuts": 10, "try_cuts_dead": 0, "bad_versions_booted": 9, "data_cuts": 200, "data_cuts_wrong": 0, "data_cuts_deciding": 1, "boots_after_cut": 10, "boots_without_face": 0, "update_sectors_astray": 0,
+        "variable_cuts_dead": 0, "try_cuts": 10, "try_cuts_dead": 0, "bad_versions_booted": 9, "data_cuts": 2000, "data_cuts_wrong": 0, "data_cuts_deciding": 1, "boots_after_cut": 10, "boots_without_face": 0, "update_sectors_astray": 0,
         "face_rate_while_installing": 0.97, "added_packed_mb": 0.5, "sbom_files_unmatched": 0, "stale_packages": 0}
 
 
-MANY = SEEN | {"sticks_failed": 24, "power_cycles": 200, "variable_cuts": 100, "try_cuts": 100, "data_cuts": 2000, "boots_after_cut": 100}
+MANY = SEEN | {"sticks_failed": 24, "power_cycles": 200, "variable_cuts": 100, "try_cuts": 100, "data_cuts": 20000, "boots_after_cut": 100}
 
 
 OF_RELEASE = [{"altered": "99600"}, {"years_starts": "78000"}]  # In place of and beside those of CASES.
