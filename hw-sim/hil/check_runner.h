@@ -66,8 +66,6 @@ class CheckRunner {
   Result<void> WantNoKernelFault();
   // What a check works with, for this finding.
   Scene SceneOf(Finding& finding);
-  // Adds the last picture and the logs to the finding; what cannot be had is left out.
-  void AddTraces(const std::string& check, Finding& finding);
 
   Options options_;
   Target& target_;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/failure_traces.h"
 #include "hw-sim/hil/strategy.h"
 
 namespace kaori::hil {
@@ -66,7 +67,6 @@ Result<void> UntilSaid(Scene& scene, const std::function<bool(const std::string&
   return {};
 }
 
-// A failure brings the end of the box's journal into the report: it says what the list alone does not.
 Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longest) {
   std::string said;
   const auto says = [&] {
@@ -74,9 +74,6 @@ Result<void> WantStickSaid(Scene& scene, std::string_view words, Duration longes
     return said.find(words) != std::string::npos;
   };
   if (scene.target.Until(says, longest)) return {};
-  scene.finding.texts.emplace_back(
-      "what the box logged of the stick",
-      TextInBox(scene, "own /usr/bin/journalctl -b -n 200 --no-pager -o short-monotonic"));
   return FailInput(fmt::format("the box does not say \"{}\" of the stick, but \"{}\"", words, said));
 }
 
@@ -170,6 +167,7 @@ Result<void> InService(Scene& scene, const char* disk, const std::function<Resul
   auto ok = box.Play(StickSetup(file));
   scene.target.rig().gpio().Close(kStickKey);
   if (ok) ok = what();
+  if (!ok) AddTraces(scene.target, scene.folder, "stick", scene.finding);
   scene.target.rig().gpio().Open(kStickKey);
   static_cast<void>(scene.target.machine().PullUnauthorised());
   box.Off();
