@@ -2,6 +2,7 @@
 
 #include <microhttpd.h>
 #include <netinet/in.h>
+#include <strings.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -43,6 +44,21 @@ constexpr std::pair<const char*, const char*> kEveryReply[] = {
 std::string_view Header(MHD_Connection* connection, const char* name) {
   const char* value = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name);
   return value == nullptr ? std::string_view() : value;
+}
+
+// Two programs on its way could read it in two ways: what counts may be there once, and one header alone says how long it is.
+bool IsAmbiguous(MHD_Connection* connection) {
+  std::array<int, 3> counts{};
+  const auto count = [](void* into, MHD_ValueKind, const char* name, const char*) {
+    auto& [hosts, origins, lengths] = *static_cast<std::array<int, 3>*>(into);
+    const auto is = [name](const char* other) { return ::strcasecmp(name, other) == 0; };
+    hosts += is("Host") ? 1 : 0;
+    origins += is("Origin") ? 1 : 0;
+    lengths += is("Content-Length") || is("Transfer-Encoding") ? 1 : 0;
+    return MHD_YES;
+  };
+  MHD_get_connection_values(connection, MHD_HEADER_KIND, count, &counts);
+  return std::ranges::max(counts) > 1;
 }
 
 // Owns `response`. MHD_NO closes the connection.
@@ -97,17 +113,14 @@ struct HttpServer::Callbacks {
                       MHD_ConnectionNotificationCode notice) {
     auto& server = *static_cast<HttpServer*>(context);
     if (notice == MHD_CONNECTION_NOTIFY_CLOSED) {
-      std::erase_if(server.connections_, [&](const Connection& each) { return &each == *slot; });
+      server.connections_.Remove(static_cast<const Connection*>(*slot));
       return;
     }
     const int fd = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
     const sockaddr* client =
         MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS)->client_addr;
     const std::uint32_t address = reinterpret_cast<const sockaddr_in*>(client)->sin_addr.s_addr;
-    Connection& newest = server.connections_.emplace_back(
-        Connection{.fd = fd, .address = address, .limit = kRequestLimit, .since = server.clock_.now()});
-    *slot = &newest;
-    server.KeepShares(newest);
+    *slot = &server.connections_.Add(fd, address, kRequestLimit);
   }
 
   // The guard's answer to a request's headers.
@@ -122,14 +135,15 @@ struct HttpServer::Callbacks {
 
   static MHD_Result Begin(HttpServer& server, MHD_Connection* connection, const char* path,
                           const char* method, void** exchange) {
-    if (const auto refusal = Refuse(server, connection, method)) {
+    const auto refuse = [&](unsigned status, std::string_view reason) {
       BeginReply(server, connection);
-      return SendText(connection, MHD_HTTP_FORBIDDEN, *refusal);
-    }
-    if (std::string_view(path).find(kZeroByte) != std::string_view::npos) {
-      BeginReply(server, connection);
-      return SendText(connection, MHD_HTTP_BAD_REQUEST, "a path has no zero byte");
-    }
+      return SendText(connection, status, reason);
+    };
+    if (const auto refusal = Refuse(server, connection, method)) return refuse(MHD_HTTP_FORBIDDEN, *refusal);
+    if (std::string_view(path).find(kZeroByte) != std::string_view::npos)
+      return refuse(MHD_HTTP_BAD_REQUEST, "a path has no zero byte");
+    if (IsAmbiguous(connection))
+      return refuse(MHD_HTTP_BAD_REQUEST, "a request has one host, one origin and one length");
     // Owned by MHD's connection until Complete deletes it, whatever happens.
     *exchange = new Exchange{{.method = method,
                               .path = path,
@@ -225,44 +239,14 @@ int HttpServer::pollable() const {
 }
 
 void HttpServer::Run() {
-  CloseSlowConnections();
+  // MHD's own timeout starts anew with each byte.
+  connections_.CloseSlow();
   // MHD says that it has more to do at once by a time-out of 0.
   for (int run = 0; run < kRunsAtOnce; ++run) {
     MHD_run(daemon_);
     MHD_UNSIGNED_LONG_LONG wait_ms = 0;
     if (MHD_get_timeout(daemon_, &wait_ms) == MHD_NO || wait_ms > 0) return;
   }
-}
-
-// MHD notices that the socket was shut down, and closes it.
-void HttpServer::Close(Connection& entry) {
-  ::shutdown(entry.fd, SHUT_RDWR);
-  entry.is_closed = true;
-}
-
-// MHD's own timeout starts anew with each byte.
-void HttpServer::CloseSlowConnections() {
-  const Time now = clock_.now();
-  for (Connection& entry : connections_)
-    if (!entry.is_closed && entry.limit > Duration{} && now - entry.since >= entry.limit) Close(entry);
-}
-
-std::size_t HttpServer::CountOf(std::optional<std::uint32_t> address) const {
-  return static_cast<std::size_t>(std::ranges::count_if(connections_, [&](const Connection& each) {
-    return !each.is_closed && (!address || each.address == *address);
-  }));
-}
-
-// The list is in the order in which they came, the newest last: it goes itself where all others are busy.
-void HttpServer::KeepShares(Connection& newest) {
-  std::optional<std::uint32_t> of;
-  if (CountOf(newest.address) > options_.most_of_one_address)
-    of = newest.address;
-  else if (CountOf(of) <= options_.most_connections)
-    return;
-  Close(*std::ranges::find_if(connections_, [&](const Connection& each) {
-    return !each.is_closed && each.is_idle && (!of || each.address == *of);
-  }));
 }
 
 MHD_Response* HttpServer::Respond(const Request& request, MHD_Connection* connection, unsigned* status) {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +14,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/result.h"
 #include "drivers/base/unique_fd.h"
+#include "drivers/web/connections.h"
 #include "drivers/web/feed.h"
 #include "drivers/web/listener.h"
 
@@ -84,9 +84,8 @@ struct ServerOptions {
   Reach reach = Reach::kThisMachine;
   std::string address{};                     // One IPv4 address of this machine; empty: as `reach` says.
   std::optional<Certificate> certificate{};  // HTTPS with it, HTTP without.
-  // Connections at a time, of all clients and of one address. For one more, the oldest whose request is not
-  // whole yet is closed, of that address or of all: who says nothing keeps nobody waiting. Where all requests
-  // are whole, the newest is.
+  // Connections at a time, of all clients and of one address. Who says nothing or receives nothing keeps nobody waiting: one of them is
+  // closed for one more (Connections::Add). Feeds and files go on.
   unsigned most_connections = 64;
   unsigned most_of_one_address = 24;             // A browser opens six for each page.
   std::size_t most_body_bytes = kMostBodyBytes;  // Of a request.
@@ -94,8 +93,8 @@ struct ServerOptions {
 };
 
 // Serves pages and feeds by libmicrohttpd, which is driven by the program's own loop and has no thread. HTTPS is TLS 1.2 or
-// 1.3, with a key for each session and authenticated encryption alone (RFC 9325). A path with a zero byte
-// gets 400. One thread, that of the loop. No call blocks. A connection is closed whose request is not whole
+// 1.3, with a key for each session and authenticated encryption alone (RFC 9325). 400 is for a path
+// with "%00", and for a request that can be read in two ways: with two hosts, origins or lengths (RFC 9112, 6.3). One thread, that of the loop. No call blocks. A connection is closed whose request is not whole
 // within 10 s, whose reply is not received within 30 s, or whose feed or file receives nothing for 30 s.
 class HttpServer {
  public:
@@ -117,7 +116,7 @@ class HttpServer {
   // The port that is listened on.
   std::uint16_t port() const;
   // How many connections are open.
-  std::size_t connections() const { return CountOf(std::nullopt); }
+  std::size_t connections() const { return connections_.CountOf(std::nullopt); }
 
   // Sends and receives what is possible now, and closes connections that are too slow. To be
   // called after a feed was published to, and 10 times a second at least: MHD's own time-outs have
@@ -128,28 +127,16 @@ class HttpServer {
   // A request while it arrives.
   struct Exchange;
   struct Callbacks;  // Those that MHD calls.
-  // What CloseSlowConnections needs to know; made and ended by MHD's notices.
-  struct Connection {
-    int fd;
-    std::uint32_t address;  // The client's, IPv4.
-    Duration limit;         // For what has been under way since `since`; zero: none.
-    Time since;
-    bool is_idle = true;     // Its request is not whole yet, or there is none.
-    bool is_closed = false;  // By us; MHD has not noticed yet.
-  };
   HttpServer(ServerOptions options, EventLoop& loop, const Clock& clock, Handler handler)
-      : options_(std::move(options)), loop_(loop), clock_(clock), handler_(std::move(handler)) {}
+      : options_(std::move(options)),
+        loop_(loop),
+        clock_(clock),
+        handler_(std::move(handler)),
+        connections_(options_.most_connections, options_.most_of_one_address, clock) {}
   // Opens the socket and starts MHD on it. Errors: as Open.
   Result<void> Start();
   // The handler's answer as MHD's response; null when memory is short, or a file cannot be looked at.
   MHD_Response* Respond(const Request& request, MHD_Connection* connection, unsigned* status);
-  static void Close(Connection& entry);
-  // By their limits; the clock is asked once.
-  void CloseSlowConnections();
-  // Makes room for `newest`, as ServerOptions says. Nothing is to be done while there is room.
-  void KeepShares(Connection& newest);
-  // Those that are open, of one address or of all (none).
-  std::size_t CountOf(std::optional<std::uint32_t> address) const;
   // MHD's epoll descriptor, which the loop watches.
   int pollable() const;
 
@@ -160,8 +147,8 @@ class HttpServer {
   // Null before Start, and where that failed.
   MHD_Daemon* daemon_ = nullptr;
   std::vector<Feed*> feeds_;  // Every feed that a handler returned so far.
-  // A list: MHD keeps pointers to its elements.
-  std::list<Connection> connections_;
+  // MHD keeps pointers to each.
+  Connections connections_;
 };
 
 }  // namespace kaori::web

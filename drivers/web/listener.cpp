@@ -7,6 +7,11 @@
 #include <fmt/format.h>
 
 namespace kaori::web {
+namespace {
+
+constexpr int kSendBuffer_bytes = 128 << 10;
+
+}  // namespace
 
 // SO_REUSEADDR lets a program that was started again have its port at once, though connections of the one
 // before still linger.
@@ -24,6 +29,8 @@ Result<UniqueFd> ListenForVisitors(std::uint16_t port, Reach reach, const std::s
   if (!listener.valid()) return FailErrno(attempt);
   const int yes = 1;
   ::setsockopt(listener.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  // What is accepted has it, too: a client that receives nothing makes the kernel keep no megabytes.
+  ::setsockopt(listener.get(), SOL_SOCKET, SO_SNDBUF, &kSendBuffer_bytes, sizeof(kSendBuffer_bytes));
   if (::bind(listener.get(), reinterpret_cast<const sockaddr*>(&socket_address), sizeof(socket_address)) < 0)
     return FailErrno(attempt);
   if (::listen(listener.get(), SOMAXCONN) < 0) return FailErrno(attempt);

@@ -37,8 +37,10 @@ constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/p
 // The session in a Cookie header, empty where there is none. A cookie whose name only ends like ours is
 // another one.
 std::string SessionIn(std::string_view cookies) {
-  const auto at = cookies.find(kCookie);
-  if (at == std::string_view::npos || (at > 0 && cookies[at - 1] != ' ' && cookies[at - 1] != ';')) return {};
+  std::size_t at = cookies.find(kCookie);
+  while (at != std::string_view::npos && at > 0 && cookies[at - 1] != ' ' && cookies[at - 1] != ';')
+    at = cookies.find(kCookie, at + 1);
+  if (at == std::string_view::npos) return {};
   cookies.remove_prefix(at + kCookie.size());
   return std::string(cookies.substr(0, cookies.find(';')));
 }

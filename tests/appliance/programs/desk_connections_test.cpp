@@ -117,6 +117,42 @@ TEST_F(DeskVisitors, OfOneAddressWhoAllWatchLeaveRoomForOthers) {
   EXPECT_EQ(StatusOf(other.Receive(IsWhole)), 200);
 }
 
+TEST_F(DeskVisitors, DoNotWaitForThoseWhoAskAndReceiveNothing) {
+  std::vector<std::vector<std::unique_ptr<Visitor>>> crowds;
+  for (const std::uint32_t host : {2U, 3U, 4U}) crowds.push_back(DeafCrowdOf(24, port_, Pump(), host));
+  for (int turn = 0; turn < 500; ++turn) desk_->Step();
+  EXPECT_EQ(desk_->connections(), 64U);
+  EXPECT_EQ(Status({}), 200) << "of an address of its own";
+  Visitor neighbour(port_, Pump(), 2);
+  neighbour.Send(RequestOf({}, port_));
+  EXPECT_EQ(StatusOf(neighbour.Receive(IsWhole)), 200) << "of the crowd's address";
+}
+
+TEST_F(DeskVisitors, OfManyAddressesLeaveRoomForAnother) {
+  const Asked watch{.path = "/events", .cookie = Pair()};
+  std::vector<std::unique_ptr<Visitor>> crowd;
+  for (int n = 0; n < 70; ++n) {
+    crowd.push_back(std::make_unique<Visitor>(port_, Pump(), 2 + static_cast<std::uint32_t>(n) % 3));
+    crowd.back()->Send(RequestOf(watch, port_));
+    for (int turn = 0; turn < 5; ++turn) desk_->Step();
+  }
+  EXPECT_EQ(desk_->connections(), 64U);
+  Visitor other(port_, Pump(), 7);
+  other.Send(RequestOf({}, port_));
+  EXPECT_EQ(StatusOf(other.Receive(IsWhole)), 200);
+  EXPECT_FALSE(crowd.front()->IsCutOff()) << "who watches for the longest goes on";
+}
+
+TEST_F(DeskVisitors, WhoseRequestCanBeReadInTwoWaysAreRefused) {
+  for (const char* more : {"Host: elsewhere.example\r\n", "Origin: http://elsewhere.example\r\n",
+                           "Content-Length: 44\r\n", "Transfer-Encoding: chunked\r\n"})
+    EXPECT_EQ(Status({.method = "POST", .path = "/pair", .body = "stop", .more = more}), 400) << more;
+}
+
+TEST_F(DeskVisitors, WhoseCookieStandsBehindASimilarOneAreKnown) {
+  EXPECT_EQ(Status({.path = "/state", .cookie = "xkaori-desk=1; " + Pair()}), 200);
+}
+
 TEST_F(DeskVisitors, WhoAskForAPathWithAZeroByteAreRefused) {
   for (const char* path : {"/%00", "/hello%00", "/%00/main.js", "/main.js%00.png"})
     EXPECT_EQ(Status({.path = path}), 400) << path;
