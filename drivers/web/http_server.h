@@ -93,9 +93,10 @@ struct ServerOptions {
 };
 
 // Serves pages and feeds by libmicrohttpd, which is driven by the program's own loop and has no thread. HTTPS is TLS 1.2 or
-// 1.3, with a key for each session and authenticated encryption alone (RFC 9325). 400 is for a path
-// with "%00", and for a request that can be read in two ways: with two hosts, origins or lengths (RFC 9112, 6.3). One thread, that of the loop. No call blocks. A connection is closed whose request is not whole
-// within 10 s, whose reply is not received within 30 s, or whose feed or file receives nothing for 30 s.
+// 1.3, with a key for each session and authenticated encryption alone (RFC 9325). A path with "%00" gets 400, and so does a
+// request that can be read in two ways, with two hosts, origins or lengths (RFC 9112, 6.3). One thread, that of the loop. No
+// call blocks. A connection is closed whose request is not whole within 10 s, whose reply is not received within 30 s, or whose
+// feed or file receives nothing for 30 s.
 class HttpServer {
  public:
   using Answer = std::variant<Reply, Feed*>;  // A Feed must outlive the server.
