@@ -19,7 +19,7 @@ Connection& Connections::Add(int fd, std::uint32_t address, Duration limit) {
   Connection& newest =
       all_.emplace_back(Connection{.fd = fd, .address = address, .limit = limit, .since = clock_.now()});
   if (CountOf(address) <= most_of_one_address_ && CountOf(std::nullopt) <= most_) return newest;
-  const auto crowd = Crowd(newest);
+  const auto crowd = Crowd();
   auto found = std::ranges::find_if(crowd, [&](auto* each) { return each->is_idle && each != &newest; });
   if (found == crowd.end())
     found =
@@ -44,12 +44,12 @@ std::size_t Connections::CountOf(std::optional<std::uint32_t> address) const {
   }));
 }
 
-std::vector<Connection*> Connections::Crowd(const Connection& newest) {
-  const bool has_too_many = CountOf(newest.address) > most_of_one_address_;
+// An address with too many has the most: all others have no more than they may.
+std::vector<Connection*> Connections::Crowd() {
   std::vector<Connection*> crowd;
   std::size_t most = 0;
   for (Connection& each : all_) {
-    if (each.is_closed || (has_too_many && each.address != newest.address)) continue;
+    if (each.is_closed) continue;
     const std::size_t count = CountOf(each.address);
     if (count > most) crowd.clear();
     most = std::max(most, count);

@@ -45,8 +45,8 @@ class Connections {
   std::size_t CountOf(std::optional<std::uint32_t> address) const;
 
  private:
-  // Those of which one gives its place up for `newest`, the oldest first.
-  std::vector<Connection*> Crowd(const Connection& newest);
+  // Those of the address that has the most, or of all such addresses, the oldest first.
+  std::vector<Connection*> Crowd();
 
   std::size_t most_, most_of_one_address_;
   const Clock& clock_;

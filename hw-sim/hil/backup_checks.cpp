@@ -123,7 +123,7 @@ Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk,
                       : Result<std::string>(tl::unexpected(ok.error()));
   if (!key) ok = tl::unexpected(key.error());
   figures["clone_restored_s"] = took_s();
-  box.Off();
+  if (ok) box.Off();
   if (ok) ok = box.Play(StickSetup(disk));
   figures["clone_started_s"] = took_s();
   if (ok) ok = WantPlayed(scene, first.show);
@@ -135,7 +135,7 @@ Result<void> SecondBox(Scene& scene, PlayStrategy& box, const std::string& disk,
   if (ok) ok = WantOnBox(scene, *key, true);
   if (ok) ok = WantOtherNumber(scene, first);
   if (ok) ok = scene.ShootFace("backup", "A second box, made by the backup of the first one");
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 
@@ -151,7 +151,7 @@ Result<void> Backup(Scene& scene) {
   auto ok = box.Play(StickSetup(one->file));
   const auto first =
       ok ? WithKey(scene, [&] { return BackUp(scene); }) : Result<First>(tl::unexpected(ok.error()));
-  box.Off();
+  if (first) box.Off();
   ok = first ? SecondBox(scene, box, other->file, *first) : Result<void>(tl::unexpected(first.error()));
   for (const auto& disk : {one->file, other->file}) std::filesystem::remove(disk);
   scene.finding.said = fmt::format(
@@ -195,7 +195,7 @@ Result<void> NothingIsRestoredWithoutAYes(Scene& scene) {
   if (!disk) return tl::unexpected(disk.error());
   PlayStrategy box(scene.target);
   auto ok = WantUnchanged(scene, box, disk->file);
-  box.Off();
+  if (ok) box.Off();
   std::filesystem::remove(disk->file);
   return ok;
 }

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "drivers/base/checksum.h"
-#include "hw-sim/hil/failure_traces.h"
 #include "hw-sim/hil/kernel_fault.h"
 #include "hw-sim/hil/paused_unit.h"
 #include "hw-sim/hil/picture.h"
@@ -16,8 +15,19 @@
 namespace kaori::hil {
 namespace {
 
-// Whatever state the box is in, an agent that lives answers it.
-constexpr const char* kTrivialQuestion = "hello";
+// Of a box that has just failed: it may not answer at all.
+constexpr Duration kLongestTrace = std::chrono::seconds(60);
+
+// What helps to find out why.
+// The first word of each pair is the heading in the report, the second the question to the agent.
+constexpr const char* kFaultsQuestion = "faults";
+constexpr const char* kTrivialQuestion =
+    "hello";  // Whatever state the box is in, an agent that lives answers it.
+constexpr std::pair<const char*, const char*> kTraces[] = {
+    {"the board", "board"},
+    {"the kernel's faults", kFaultsQuestion},
+    {"the box's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 300"},
+    {"its devices", "usb"}};
 
 constexpr const char* kInputUnit = "kaori-input.service";
 
@@ -82,8 +92,7 @@ ReportedCheck CheckRunner::Run(const Check& check, int round) {
   if (ok) return reported;
   finding.verdict = Verdict::kFailed;
   finding.said = ok.error().message();
-  finding.texts.emplace_back("QEMU's log", target_.machine().log());
-  AddTraces(target_, options_.report, check.name, finding);
+  AddTraces(check.name, finding);
   // Whatever it left behind is not the next check's.
   strategy_.Off();
   return reported;
@@ -211,5 +220,15 @@ Result<void> CheckRunner::StartBox(const Setup& setup) {
 }
 
 // Into the report, so that a failure in the night can be read in the morning.
+void CheckRunner::AddTraces(const std::string& check, Finding& finding) {
+  const std::string file = check + "-failed.png";
+  if (target_.machine().Shoot(0, options_.report + "/" + file))
+    finding.pictures.push_back({file, "When it failed"});
+  finding.texts.emplace_back("QEMU's log", target_.machine().log());
+  // A box that does not answer gives no text; the report then has QEMU's log alone.
+  for (const auto& [name, question] : kTraces)
+    if (const auto told = target_.agent().Ask(question, kLongestTrace); told && !told->empty())
+      finding.texts.emplace_back(name, *told);
+}
 
 }  // namespace kaori::hil

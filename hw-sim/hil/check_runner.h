@@ -66,6 +66,8 @@ class CheckRunner {
   Result<void> WantNoKernelFault();
   // What a check works with, for this finding.
   Scene SceneOf(Finding& finding);
+  // Adds the last picture and the logs to the finding; what cannot be had is left out.
+  void AddTraces(const std::string& check, Finding& finding);
 
   Options options_;
   Target& target_;

@@ -180,7 +180,7 @@ Result<void> CrashAndSee(Scene& scene, int ends) {
   scene.finding.texts.emplace_back(
       "the journal of kaori-stage",
       TextInBox(scene, "own /usr/bin/journalctl -b --no-pager -o cat -n 100 -u kaori-stage"));
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 

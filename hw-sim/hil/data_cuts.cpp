@@ -185,17 +185,16 @@ Result<Writes> WritesOf(const std::vector<Moment>& moments) {
   return writes;
 }
 
-// Writes at which the power goes, in their order: half of them anywhere, half where a change of what is kept comes to count.
-Result<std::vector<std::size_t>> PointsOf(Scene& scene, const std::vector<Moment>& moments, int cuts) {
+// Writes at which the power goes, and how often: half of the cuts are anywhere, half where a change of what is kept comes to count.
+Result<std::map<std::size_t, int>> PointsOf(Scene& scene, const std::vector<Moment>& moments, int cuts) {
   const auto writes = WritesOf(moments);
   if (!writes) return tl::unexpected(writes.error());
   if (writes->deciding.empty()) return FailInput("nothing that the box keeps has changed");
-  std::vector<std::size_t> points;
+  std::map<std::size_t, int> points;
   for (int n = 0; n < cuts; ++n) {
     const auto& some = n % 2 == 0 ? writes->all : writes->deciding;
-    points.push_back(some[std::uniform_int_distribution<std::size_t>(0, some.size() - 1)(scene.chance)]);
+    ++points[some[std::uniform_int_distribution<std::size_t>(0, some.size() - 1)(scene.chance)]];
   }
-  std::ranges::sort(points);
   return points;
 }
 
@@ -249,26 +248,23 @@ Result<DataCuts> CutData(Scene& scene, const UpdateHistory& history, const std::
   if (!points) return tl::unexpected(points.error());
   DataCuts found;
   std::size_t done = 0;
-  std::optional<std::size_t> bound;
-  Bounds bounds;
-  for (const std::size_t point : *points) {
+  for (const auto& [point, times] : *points) {
     std::size_t flush = point;
     while (flush > 0 && !IsFlush(moments[flush])) --flush;
     const std::size_t sure = lies ? flush - std::min(flush, kLiedAbout) : flush;
     for (; done < sure; ++done)
       if (!IsFlush(moments[done]))
         if (auto ok = base.Put(moments[done]); !ok) return tl::unexpected(ok.error());
-    if (std::exchange(bound, point) != point) {
-      auto now = BoundsAt(base, moments, done, flush, point);
-      if (!now) return tl::unexpected(now.error());
-      bounds = std::move(*now);
+    const auto bounds = BoundsAt(base, moments, done, flush, point);
+    if (!bounds) return tl::unexpected(bounds.error());
+    for (int n = 0; n < times; ++n) {
+      const auto fault = CutOnce(base, moments, done, point, *bounds);
+      if (!fault) return tl::unexpected(fault.error());
+      if (!fault->empty() && found.wrong++ == 0)
+        found.said = fmt::format("a cut at {} of {}: {}", point, moments.size(), *fault);
     }
-    const auto fault = CutOnce(base, moments, done, point, bounds);
-    if (!fault) return tl::unexpected(fault.error());
-    ++found.cuts;
-    found.deciding += bounds.flushed != bounds.whole ? 1 : 0;
-    if (fault->empty()) continue;
-    if (found.wrong++ == 0) found.said = fmt::format("a cut at {} of {}: {}", point, moments.size(), *fault);
+    found.cuts += times;
+    found.deciding += bounds->flushed != bounds->whole ? times : 0;
   }
   std::error_code none;
   std::filesystem::remove_all(scene.target.machine().options().folder + "/data-cuts", none);

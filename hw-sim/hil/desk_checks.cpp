@@ -134,7 +134,7 @@ Result<void> IsNotThereWithoutAnAddress(Scene& scene) {
   if (ok) ok = WantFoundWrong(WantDesk(scene), "a box without an address has a desk");
   scene.target.rig().gpio().Open(kStickKey);
   scene.target.ResetPatience();
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 
@@ -143,7 +143,7 @@ Result<void> Desk(Scene& scene) {
   PlayStrategy box(scene.target);
   auto ok = box.Play(DeskSetup(kWithAddress));
   if (ok) ok = IsThereWithTheKey(scene);
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 

@@ -67,7 +67,7 @@ Result<void> WantForgotten(Scene& scene, const std::string& disk, bool forgotten
   if (ok && has_name == forgotten)
     ok = FailInput(has_name ? "the box has kept its name" : "the box has lost its name");
   if (ok) ok = scene.ShootFace("factory-reset", forgotten ? "After the reset" : "Nothing was reset");
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 

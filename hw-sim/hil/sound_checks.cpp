@@ -138,7 +138,7 @@ Result<void> UsbSound(Scene& scene) {
   PlayStrategy box(scene.target);
   auto ok = box.Play(kUsbSound);
   if (ok) ok = PlayOnUsb(scene);
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 
@@ -150,7 +150,7 @@ Result<void> NothingPlaysWithoutIt(Scene& scene) {
   auto ok = box.Play(silent);
   if (ok) ok = scene.Tell("read /proc/asound/cards");  // The agent answers: no card is no silence of its own.
   if (ok) ok = WantFoundWrong(PlayOnUsb(scene), "a card on USB is heard that is not there");
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 

@@ -161,11 +161,11 @@ Result<void> BringsAShow(Scene& scene) {
   auto ok = box.Play(StickSetup(disk->file));
   const auto id = ok ? BringBoth(scene) : Result<std::string>(tl::unexpected(ok.error()));
   if (!id) ok = tl::unexpected(id.error());
-  box.Off();
+  if (ok) box.Off();
   // It is what plays when the power is back.
   if (ok) ok = box.Play(StickSetup(disk->file));
   if (ok) ok = WantPlayed(scene, *id);
-  box.Off();
+  if (ok) box.Off();
   std::filesystem::remove(disk->file);
   scene.finding.said = fmt::format(
       "a show and its key were brought and the show played, also after the power was off; a damaged one was "
@@ -183,7 +183,7 @@ Result<void> NothingIsReadWithoutTheKey(Scene& scene) {
   if (ok) ok = WantFoundWrong(WantStickSaid(scene, "guest", seconds(60)), "a stick is read without the key");
   if (ok) ok = WantDead(scene);
   static_cast<void>(scene.target.machine().PullUnauthorised());
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 
@@ -208,7 +208,7 @@ Result<void> NoUpdateWithoutTheKey(Scene& scene) {
   if (ok)
     ok = WantFoundWrong(WantStickSaid(scene, "> 1. ", seconds(60)), "an update is read without the key");
   static_cast<void>(scene.target.machine().PullUnauthorised());
-  box.Off();
+  if (ok) box.Off();
   return ok;
 }
 

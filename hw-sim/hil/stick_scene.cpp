@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "hw-sim/hil/disk_copy.h"
-#include "hw-sim/hil/failure_traces.h"
 #include "hw-sim/hil/strategy.h"
 
 namespace kaori::hil {
@@ -167,10 +166,9 @@ Result<void> InService(Scene& scene, const char* disk, const std::function<Resul
   auto ok = box.Play(StickSetup(file));
   scene.target.rig().gpio().Close(kStickKey);
   if (ok) ok = what();
-  if (!ok) AddTraces(scene.target, scene.folder, "stick", scene.finding);
   scene.target.rig().gpio().Open(kStickKey);
   static_cast<void>(scene.target.machine().PullUnauthorised());
-  box.Off();
+  if (ok) box.Off();
   if (!file.empty()) std::filesystem::remove(file);
   return ok;
 }

@@ -21,7 +21,8 @@ class PlayStrategy {
   // Blocks for minutes. Errors: timed_out, named by what did not come; not_supported (the
   // bench lacks what the setup wants).
   Result<void> Play(const Setup& setup);
-  // Takes its power. Does nothing where it has none.
+  // Takes its power. Does nothing where it has none. A check that has failed leaves it on: CheckRunner asks it what it can tell of that
+  // first.
   void Off();
 
   // After something was withdrawn from a playing box: waits until it plays as its setup says, and switches it

@@ -101,13 +101,9 @@ TEST_F(DeskVisitors, DoNotWaitForAThousandWhoSayNothingOrHalfAWord) {
 }
 
 TEST_F(DeskVisitors, OfOneAddressWhoAllWatchLeaveRoomForOthers) {
-  const Asked watch{.path = "/events", .cookie = Pair()};
+  const std::string cookie = Pair();
   std::vector<std::unique_ptr<Visitor>> crowd;
-  for (int n = 0; n < 40; ++n) {
-    crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
-    crowd.back()->Send(RequestOf(watch, port_));
-    for (int turn = 0; turn < 5; ++turn) desk_->Step();
-  }
+  for (int n = 0; n < 40; ++n) crowd.push_back(Watcher(cookie));
   EXPECT_EQ(desk_->connections(), 24U);
   Visitor next = Come();
   next.Send(RequestOf({}, port_));
@@ -129,13 +125,9 @@ TEST_F(DeskVisitors, DoNotWaitForThoseWhoAskAndReceiveNothing) {
 }
 
 TEST_F(DeskVisitors, OfManyAddressesLeaveRoomForAnother) {
-  const Asked watch{.path = "/events", .cookie = Pair()};
+  const std::string cookie = Pair();
   std::vector<std::unique_ptr<Visitor>> crowd;
-  for (int n = 0; n < 70; ++n) {
-    crowd.push_back(std::make_unique<Visitor>(port_, Pump(), 2 + static_cast<std::uint32_t>(n) % 3));
-    crowd.back()->Send(RequestOf(watch, port_));
-    for (int turn = 0; turn < 5; ++turn) desk_->Step();
-  }
+  for (std::uint32_t n = 0; n < 70; ++n) crowd.push_back(Watcher(cookie, 2 + n % 3));
   EXPECT_EQ(desk_->connections(), 64U);
   Visitor other(port_, Pump(), 7);
   other.Send(RequestOf({}, port_));

@@ -93,21 +93,6 @@ inline std::vector<std::unique_ptr<Visitor>> CrowdOf(int count, std::uint16_t po
   return crowd;
 }
 
-// So many visitors of 127.0.0.`host` who ask for the page again and again and receive nothing.
-inline std::vector<std::unique_ptr<Visitor>> DeafCrowdOf(int count, std::uint16_t port,
-                                                         const std::function<void()>& pump,
-                                                         std::uint32_t host) {
-  constexpr int kAsks = 400;
-  std::string asks;
-  for (int n = 0; n < kAsks; ++n) asks += "GET /texts.js HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n";
-  std::vector<std::unique_ptr<Visitor>> crowd;
-  for (int n = 0; n < count; ++n) {
-    crowd.push_back(std::make_unique<Visitor>(port, pump, host));
-    crowd.back()->Send(asks);
-  }
-  return crowd;
-}
-
 // As many descriptors as this process may have: a crowd has its ends in it, and those of the other side.
 inline void AllowManyDescriptors() {
   rlimit descriptors{};
@@ -149,6 +134,21 @@ inline std::string RequestOf(const Asked& asked, std::uint16_t port) {
   if (!origin.empty() && origin != "none") text += "Origin: " + origin + "\r\n";
   if (asked.method == "POST") text += fmt::format("Content-Length: {}\r\n", asked.body.size());
   return text + asked.more + "\r\n" + asked.body;
+}
+
+// So many visitors of 127.0.0.`host` who ask for a part of the page again and again and receive nothing.
+inline std::vector<std::unique_ptr<Visitor>> DeafCrowdOf(int count, std::uint16_t port,
+                                                         const std::function<void()>& pump,
+                                                         std::uint32_t host) {
+  constexpr int kAsks = 400;
+  std::string asks;
+  for (int n = 0; n < kAsks; ++n) asks += RequestOf({.path = "/texts.js"}, port);
+  std::vector<std::unique_ptr<Visitor>> crowd;
+  for (int n = 0; n < count; ++n) {
+    crowd.push_back(std::make_unique<Visitor>(port, pump, host));
+    crowd.back()->Send(asks);
+  }
+  return crowd;
 }
 
 }  // namespace kaori::tests

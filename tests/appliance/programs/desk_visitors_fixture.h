@@ -39,6 +39,15 @@ class DeskVisitors : public ::testing::Test {
   }
   Visitor Come() { return Visitor(port_, Pump()); }
 
+  // One more of 127.0.0.`host`, who watches the events of a session.
+  std::unique_ptr<Visitor> Watcher(const std::string& cookie, std::uint32_t host = 1) {
+    constexpr int kSteps = 5;
+    auto visitor = std::make_unique<Visitor>(port_, Pump(), host);
+    visitor->Send(RequestOf({.path = "/events", .cookie = cookie}, port_));
+    for (int step = 0; step < kSteps; ++step) desk_->Step();
+    return visitor;
+  }
+
   std::string Ask(const Asked& asked) {
     Visitor visitor = Come();
     visitor.Send(RequestOf(asked, port_));
